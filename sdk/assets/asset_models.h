@@ -1,0 +1,26 @@
+/* The models that group an asset's nodes: three ensembles of trees in one file (sdk/models/asset_parts.safetensors). */
+#ifndef DMI_ASSETS_ASSET_MODELS_H
+#define DMI_ASSETS_ASSET_MODELS_H
+
+#include "math/elementary.h"
+#include "nn/tree_ensemble.h"
+
+#define DMI_ASSET_ARCHITECTURE "dragmesh-asset-parts" /* of the weights file */
+
+typedef struct dmi_asset_models {
+    dmi_arena arena;
+    dmi_tree_ensemble pairs;   /* DMI_PAIR_FEATURES -> both nodes are of one body */
+    dmi_tree_ensemble sets;    /* DMI_SET_FEATURES -> the set is a body that moves */
+    dmi_tree_ensemble context; /* those and DMI_CONTEXT_FEATURES -> the same, in view of the asset's other sets */
+} dmi_asset_models;
+
+/* Loads the models from a file. Release with dmi_asset_models_release. */
+dm_result dmi_asset_models_load(dmi_env* env, const void* data, size_t size, dmi_asset_models* out);
+void dmi_asset_models_release(dmi_asset_models* models);
+
+/* Returns the probability of a row by an ensemble whose scores are log odds. */
+static inline float dmi_probability(const dmi_tree_ensemble* ensemble, const float* row) {
+    return 1 / (1 + dmi_expf(-dmi_tree_ensemble_score(ensemble, row)));
+}
+
+#endif

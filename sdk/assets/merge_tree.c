@@ -1,0 +1,275 @@
+/* Agglomerative clustering of nodes by the mean probability between clusters. */
+#include "assets/merge_tree.h"
+
+#include <math.h>
+#include <string.h>
+
+#define NEAREST 3         /* pairs without contact of each node; by hand */
+#define MIDDLE_COST 0.05f /* of the distance of two boxes, that the distance of their middles counts; by hand */
+#define MOST_BY_RULE 0.9f /* probability of a pair without models; by hand */
+#define PAIRS_AT_ONCE 64  /* between two reports of progress */
+
+/* ---- pairs ---- */
+
+/* Distance of two boxes; those that overlap are ranked by their middles. */
+static float box_distance(const dmi_node_cells* g, uint32_t a, uint32_t b) {
+    float gap = 0, middle = 0;
+    for (int k = 0; k < 3; k++) {
+        const float d = fmaxf(g->low_of[a][k], g->low_of[b][k]) - fminf(g->high_of[a][k], g->high_of[b][k]);
+        const float m = 0.5f * (g->low_of[a][k] + g->high_of[a][k] - g->low_of[b][k] - g->high_of[b][k]);
+        gap += d > 0 ? d * d : 0;
+        middle += m * m;
+    }
+    return sqrtf(gap) + MIDDLE_COST * sqrtf(middle);
+}
+
+static bool touch(const dmi_node_cells* g, uint32_t a, uint32_t b) {
+    return g->contacts[(size_t)a * g->node_count + b] > 0;
+}
+
+/* Finds the nodes that are nearest to `node` without touching it. Returns how many. */
+static uint32_t find_nearest(const dmi_node_cells* g, uint32_t node, uint32_t out[NEAREST]) {
+    float distance[NEAREST];
+    uint32_t count = 0;
+    for (uint32_t other = 0; other < g->node_count; other++) {
+        if (other == node || touch(g, node, other)) continue;
+        const float d = box_distance(g, node, other);
+        uint32_t at = count < NEAREST ? count++ : NEAREST;
+        while (at > 0 && d < distance[at - 1]) {
+            if (at < NEAREST) distance[at] = distance[at - 1], out[at] = out[at - 1];
+            at--;
+        }
+        if (at < NEAREST) distance[at] = d, out[at] = other;
+    }
+    return count;
+}
+
+dm_result dmi_node_pairs_list(dmi_arena* arena, const dmi_node_cells* g, dmi_node_pair** out_pairs,
+                              uint32_t* out_count) {
+    const uint32_t n = g->node_count;
+    uint8_t* wanted = dmi_arena_push(arena, (size_t)n * n + 1);
+    if (wanted == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    memset(wanted, 0, (size_t)n * n);
+    uint32_t count = 0;
+    for (uint32_t a = 0; a < n; a++) {
+        uint32_t nearest[NEAREST];
+        const uint32_t near_count = find_nearest(g, a, nearest);
+        for (uint32_t i = 0; i < near_count; i++)
+            wanted[a < nearest[i] ? (size_t)a * n + nearest[i] : (size_t)nearest[i] * n + a] = 1;
+        for (uint32_t b = a + 1; b < n; b++) wanted[(size_t)a * n + b] |= touch(g, a, b);
+    }
+    for (size_t i = 0; i < (size_t)n * n; i++) count += wanted[i];
+    dmi_node_pair* pairs = dmi_arena_push(arena, (count + 1) * sizeof *pairs);
+    if (pairs == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    *out_count = 0;
+    for (uint32_t a = 0; a < n; a++)
+        for (uint32_t b = a + 1; b < n; b++)
+            if (wanted[(size_t)a * n + b]) {
+                const float cells = 0.5f * (float)(g->contacts[(size_t)a * n + b] + g->contacts[(size_t)b * n + a]);
+                pairs[(*out_count)++] = (dmi_node_pair){a, b, 0, 1 + sqrtf(cells)};
+            }
+    *out_pairs = pairs;
+    return DM_OK;
+}
+
+static dm_result rate_pairs(dmi_arena* arena, dmi_merge_tree* tree, const dmi_asset_models* models,
+                            const dmi_progress* progress) {
+    const dmi_node_cells* g = tree->grid;
+    for (uint32_t i = 0; i < tree->pair_count; i++) {
+        dmi_node_pair* p = &tree->pairs[i];
+        float features[DMI_PAIR_FEATURES];
+        dm_result result = dmi_pair_features_make(arena, g, &tree->facts, p->a, p->b, features);
+        if (result == DM_OK && i % PAIRS_AT_ONCE == 0)
+            result = dmi_progress_tell(progress, (float)i / (float)tree->pair_count);
+        if (result != DM_OK) return result;
+        p->probability = models != NULL ? dmi_probability(&models->pairs, features) : fminf(MOST_BY_RULE, features[0]);
+    }
+    return DM_OK;
+}
+
+/* ---- merging ---- */
+
+typedef struct merger {
+    uint32_t n;          /* nodes */
+    float *sum, *weight; /* n x n, by the slot of a cluster */
+    uint32_t* set;       /* of a slot; UINT32_MAX: merged into another */
+    uint32_t* best;      /* of a slot: the slot that it is likeliest one with */
+} merger;
+
+static float link_of(const merger* m, uint32_t a, uint32_t b) {
+    const size_t at = (size_t)a * m->n + b;
+    return m->weight[at] > 0 ? m->sum[at] / m->weight[at] : -1;
+}
+
+static void find_best(merger* m, uint32_t slot) {
+    m->best[slot] = UINT32_MAX;
+    for (uint32_t b = 0; b < m->n; b++)
+        if (b != slot && m->set[b] != UINT32_MAX && link_of(m, slot, b) >= 0 &&
+            (m->best[slot] == UINT32_MAX || link_of(m, slot, b) > link_of(m, slot, m->best[slot])))
+            m->best[slot] = b;
+}
+
+static dm_result open_merger(dmi_arena* arena, const dmi_merge_tree* tree, merger* m) {
+    const size_t n = tree->grid->node_count;
+    *m = (merger){.n = (uint32_t)n};
+    m->sum = dmi_arena_push(arena, (n * n + 1) * sizeof *m->sum);
+    m->weight = dmi_arena_push(arena, (n * n + 1) * sizeof *m->weight);
+    m->set = dmi_arena_push(arena, (n + 1) * sizeof *m->set);
+    m->best = dmi_arena_push(arena, (n + 1) * sizeof *m->best);
+    if (m->sum == NULL || m->weight == NULL || m->set == NULL || m->best == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    memset(m->sum, 0, n * n * sizeof *m->sum);
+    memset(m->weight, 0, n * n * sizeof *m->weight);
+    for (uint32_t i = 0; i < tree->pair_count; i++) {
+        const dmi_node_pair* p = &tree->pairs[i];
+        const size_t at = (size_t)p->a * n + p->b, mirrored = (size_t)p->b * n + p->a;
+        m->sum[at] = m->sum[mirrored] = p->weight * p->probability;
+        m->weight[at] = m->weight[mirrored] = p->weight;
+    }
+    for (uint32_t i = 0; i < n; i++) m->set[i] = i;
+    for (uint32_t i = 0; i < n; i++) find_best(m, i);
+    return DM_OK;
+}
+
+/* Merges slot b into slot a. */
+static void merge_slots(merger* m, uint32_t a, uint32_t b) {
+    m->set[b] = UINT32_MAX;
+    for (uint32_t k = 0; k < m->n; k++) {
+        if (k == a || m->set[k] == UINT32_MAX) continue;
+        const size_t to = (size_t)a * m->n + k, from = (size_t)b * m->n + k;
+        m->sum[to] += m->sum[from], m->weight[to] += m->weight[from];
+        m->sum[(size_t)k * m->n + a] = m->sum[to], m->weight[(size_t)k * m->n + a] = m->weight[to];
+    }
+    find_best(m, a);
+    for (uint32_t k = 0; k < m->n; k++) {
+        if (k == a || m->set[k] == UINT32_MAX) continue;
+        if (m->best[k] == a || m->best[k] == b || m->best[k] == UINT32_MAX)
+            find_best(m, k);
+        else if (link_of(m, k, a) > link_of(m, k, m->best[k]))
+            m->best[k] = a;
+    }
+}
+
+static uint32_t likeliest_slot(const merger* m) {
+    uint32_t out = UINT32_MAX;
+    for (uint32_t a = 0; a < m->n; a++) {
+        if (m->set[a] == UINT32_MAX || m->best[a] == UINT32_MAX) continue;
+        if (out == UINT32_MAX || link_of(m, a, m->best[a]) > link_of(m, out, m->best[out])) out = a;
+    }
+    return out;
+}
+
+static void list_members(dmi_merge_tree* tree, uint32_t set, uint32_t* used) {
+    const uint32_t *x = tree->members + tree->first[tree->children[set][0]],
+                   *y = tree->members + tree->first[tree->children[set][1]];
+    const uint32_t *x_end = x + tree->size[tree->children[set][0]], *y_end = y + tree->size[tree->children[set][1]];
+    tree->first[set] = *used;
+    while (x < x_end || y < y_end) tree->members[(*used)++] = y == y_end || (x < x_end && *x < *y) ? *x++ : *y++;
+    tree->size[set] = *used - tree->first[set];
+}
+
+/* Makes room for the sets; the members of a chain of n merges are n^2 / 2 numbers. */
+static dm_result open_sets(dmi_arena* arena, dmi_merge_tree* tree) {
+    const size_t n = tree->grid->node_count, sets = 2 * n + 1;
+    tree->children = dmi_arena_push(arena, sets * sizeof *tree->children);
+    tree->link = dmi_arena_push(arena, sets * sizeof *tree->link);
+    tree->first = dmi_arena_push(arena, sets * sizeof *tree->first);
+    tree->size = dmi_arena_push(arena, sets * sizeof *tree->size);
+    tree->members = dmi_arena_push(arena, (n * (n + 3) / 2 + 1) * sizeof *tree->members);
+    if (tree->children == NULL || tree->link == NULL || tree->first == NULL || tree->size == NULL ||
+        tree->members == NULL)
+        return DM_ERROR_OUT_OF_MEMORY;
+    for (uint32_t i = 0; i < n; i++) {
+        tree->children[i][0] = tree->children[i][1] = UINT32_MAX;
+        tree->link[i] = 1;
+        tree->first[i] = tree->members[i] = i;
+        tree->size[i] = 1;
+    }
+    tree->set_count = (uint32_t)n;
+    return DM_OK;
+}
+
+dm_result dmi_merge_tree_make(dmi_arena* arena, const dmi_node_cells* grid, const dmi_node_labels* labels,
+                              const dmi_asset_models* models, const dmi_progress* progress, dmi_merge_tree* out) {
+    *out = (dmi_merge_tree){.grid = grid};
+    merger m;
+    dm_result result = dmi_asset_facts_make(arena, grid, labels, &out->facts);
+    if (result == DM_OK) result = dmi_node_pairs_list(arena, grid, &out->pairs, &out->pair_count);
+    if (result == DM_OK) result = rate_pairs(arena, out, models, progress);
+    if (result == DM_OK) result = open_sets(arena, out);
+    if (result == DM_OK) result = open_merger(arena, out, &m);
+    uint32_t used = grid->node_count;
+    for (uint32_t a; result == DM_OK && (a = likeliest_slot(&m)) != UINT32_MAX;) {
+        const uint32_t b = m.best[a], set = out->set_count++;
+        out->children[set][0] = m.set[a], out->children[set][1] = m.set[b];
+        out->link[set] = link_of(&m, a, b);
+        list_members(out, set, &used);
+        m.set[a] = set;
+        merge_slots(&m, a, b);
+    }
+    return result;
+}
+
+/* ---- links ---- */
+
+typedef struct extent {
+    float low[3], high[3], area;
+} extent;
+
+static extent measure_set(const dmi_merge_tree* tree, uint32_t set) {
+    const dmi_node_cells* g = tree->grid;
+    extent e = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, 0};
+    for (uint32_t i = 0; i < tree->size[set]; i++) {
+        const uint32_t node = tree->members[tree->first[set] + i];
+        e.area += g->area[node];
+        for (int k = 0; k < 3; k++) {
+            e.low[k] = fminf(e.low[k], g->low_of[node][k]);
+            e.high[k] = fmaxf(e.high[k], g->high_of[node][k]);
+        }
+    }
+    return e;
+}
+
+/* member: of the set's nodes, 1. */
+static void link_pairs(const dmi_merge_tree* tree, const uint8_t* member, dmi_set_links* out) {
+    float in = 0, in_weight = 0, outside = 0, out_weight = 0;
+    for (uint32_t i = 0; i < tree->pair_count; i++) {
+        const dmi_node_pair* p = &tree->pairs[i];
+        if (member[p->a] && member[p->b]) in += p->weight * p->probability, in_weight += p->weight;
+        if (member[p->a] == member[p->b]) continue;
+        outside += p->weight * p->probability, out_weight += p->weight;
+        out->strongest_out = fmaxf(out->strongest_out, p->probability);
+    }
+    out->mean_in = in_weight > 0 ? in / in_weight : 1;
+    out->mean_out = out_weight > 0 ? outside / out_weight : 0;
+}
+
+static void link_twins(const extent* extents, uint32_t count, dmi_set_links* out) {
+    for (uint32_t s = 0; s < count; s++) {
+        out[s].twin = s;
+        for (uint32_t t = count; t-- > 0;) {
+            if (t == s || !dmi_shapes_are_alike(extents[s].low, extents[s].high, extents[s].area, extents[t].low,
+                                                extents[t].high, extents[t].area))
+                continue;
+            out[s].alike++;
+            if (t < out[s].twin) out[s].twin = t;
+        }
+    }
+}
+
+dm_result dmi_merge_tree_links(dmi_arena* arena, const dmi_merge_tree* tree, dmi_set_links* out) {
+    const uint32_t nodes = tree->grid->node_count;
+    uint8_t* member = dmi_arena_push(arena, nodes + 1);
+    extent* extents = dmi_arena_push(arena, (tree->set_count + 1) * sizeof *extents);
+    if (member == NULL || extents == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    for (uint32_t s = 0; s < tree->set_count; s++) {
+        memset(member, 0, nodes);
+        for (uint32_t i = 0; i < tree->size[s]; i++) member[tree->members[tree->first[s] + i]] = 1;
+        out[s] = (dmi_set_links){.weakest = tree->link[s]};
+        for (int k = 0; k < 2 && tree->children[s][0] != UINT32_MAX; k++)
+            out[s].weakest = fminf(out[s].weakest, out[tree->children[s][k]].weakest);
+        link_pairs(tree, member, &out[s]);
+        extents[s] = measure_set(tree, s);
+    }
+    link_twins(extents, tree->set_count, out);
+    return DM_OK;
+}

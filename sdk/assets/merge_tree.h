@@ -1,0 +1,37 @@
+/* Merges the nodes of an asset, the likeliest to be one body first, into ever larger sets: candidates for bodies. */
+#ifndef DMI_ASSETS_MERGE_TREE_H
+#define DMI_ASSETS_MERGE_TREE_H
+
+#include "assets/asset_models.h"
+#include "assets/pair_features.h"
+#include "assets/set_features.h"
+
+typedef struct dmi_node_pair {
+    uint32_t a, b;     /* a < b */
+    float probability; /* that both are one body */
+    float weight;      /* of their contact */
+} dmi_node_pair;
+
+typedef struct dmi_merge_tree {
+    const dmi_node_cells* grid;
+    dmi_asset_facts facts;
+    dmi_node_pair* pairs;
+    uint32_t pair_count;
+    /* sets 0 .. node_count - 1 are the nodes; each later one is the union of two earlier ones */
+    uint32_t set_count;
+    uint32_t (*children)[2]; /* UINT32_MAX: a node */
+    float* link;             /* mean probability at which it was merged; 1: a node */
+    uint32_t* first;         /* set s has members[first[s]] .. members[first[s] + size[s] - 1], rising */
+    uint32_t *size, *members;
+} dmi_merge_tree;
+
+/* Lists the pairs of nodes that may be of one body: those that touch, and each node's nearest. */
+dm_result dmi_node_pairs_list(dmi_arena* arena, const dmi_node_cells* grid, dmi_node_pair** out_pairs,
+                              uint32_t* out_count);
+/* models NULL: pairs that touch are merged by the share of their contact. */
+dm_result dmi_merge_tree_make(dmi_arena* arena, const dmi_node_cells* grid, const dmi_node_labels* labels,
+                              const dmi_asset_models* models, const dmi_progress* progress, dmi_merge_tree* out);
+/* Computes the links of all sets, as dmi_set_features_make takes them. out: set_count of them. */
+dm_result dmi_merge_tree_links(dmi_arena* arena, const dmi_merge_tree* tree, dmi_set_links* out);
+
+#endif
