@@ -28,7 +28,7 @@ typedef struct grown {
 static grown once, again;
 
 static const dm_lab_rows data = {COLUMNS, CASES, first, &bins[0][0], weights, target, NULL};
-static const dm_lab_boost_rule rule = {TREES, LEAVES, 4, 0.2f, 1, 0.5f, 0.7f, 1, 3};
+static const dm_lab_boost_rule rule = {TREES, LEAVES, 4, 0.2f, 1, 0.5f, 0.7f, 1, 3, 0};
 
 static int load_lab(void** state) {
     (void)state;
@@ -84,6 +84,26 @@ static void a_case_goes_to_whom_it_belongs(void** state) {
         right += target[best] > 0;
     }
     assert_true(right >= CASES * 98 / 100);
+}
+
+/* With a probability for each row, the log odds are right on their own: three in four high rows and one in four of the
+ * others are targets. */
+static void each_row_has_its_own_probability(void** state) {
+    (void)state;
+    draw_cases();
+    for (int r = 0; r < ROWS; r++) target[r] = (r % 4 == 0) != (is_high(bins[r]) != 0);
+    dm_lab_boost_rule each = rule;
+    each.each_row = 1;
+    const dm_lab_trees out = arrays_of(&once);
+    assert_int_equal(boost(&data, &each, NULL, &out), DM_OK);
+    double sum[2] = {0, 0}, count[2] = {0, 0};
+    for (int r = 0; r < ROWS; r++) {
+        const int high = is_high(bins[r]) != 0;
+        sum[high] += 1 / (1 + exp(-(double)score_of(&once, bins[r])));
+        count[high]++;
+    }
+    assert_true(fabs(sum[1] / count[1] - 0.75) < 0.05);
+    assert_true(fabs(sum[0] / count[0] - 0.25) < 0.05);
 }
 
 /* Trees that start from scores that are right already have nothing to say, from scores that are wrong much. */
@@ -142,6 +162,7 @@ static void no_cases_are_an_error(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_case_goes_to_whom_it_belongs),
+        cmocka_unit_test(each_row_has_its_own_probability),
         cmocka_unit_test(trees_correct_the_scores_they_are_given),
         cmocka_unit_test(the_same_seed_gives_the_same_trees),
         cmocka_unit_test(trees_keep_to_their_rule),

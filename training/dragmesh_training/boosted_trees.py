@@ -29,7 +29,7 @@ class Rule(ctypes.Structure):
     """dm_lab_boost_rule."""
     _fields_ = [(name, ctypes.c_uint32) for name in ("trees", "leaves", "depth")] + [
         (name, ctypes.c_float) for name in ("rate", "damping", "least", "case_share", "column_share")] + [
-        ("seed", ctypes.c_uint64)]
+        ("seed", ctypes.c_uint64), ("each_row", ctypes.c_uint32)]
 
 
 class Trees(ctypes.Structure):

@@ -1,5 +1,6 @@
 /* Gradient boosting of regression trees (Friedman 2001), with second derivatives (Chen and Guestrin 2016), histograms
- * and the best leaf first (Ke et al. 2017), on the cross entropy of each case's softmax. */
+ * and the best leaf first (Ke et al. 2017), on the cross entropy of each case's softmax
+ * or of each row. */
 #include "boost.h"
 
 #include <math.h>
@@ -84,10 +85,24 @@ static double differentiate_case(grower* g, uint32_t begin, uint32_t end) {
     return loss;
 }
 
+/* The same for rows that each have a probability of their own. */
+static double differentiate_rows(grower* g, uint32_t begin, uint32_t end) {
+    double loss = 0;
+    for (uint32_t i = begin; i < end; i++) {
+        const float share = 1 / (1 + expf(-g->scores[i])), target = g->rows->target[i];
+        const float weight = expf(g->rows->weights[i]);
+        g->gradients[i] = (gradient){weight * (share - target), weight * (share * (1 - share) + FLAT)};
+        loss -= (double)(weight * (target * logf(share + FLAT) + (1 - target) * logf(1 - share + FLAT)));
+    }
+    return loss;
+}
+
 static double differentiate(grower* g) {
     double loss = 0;
-    for (uint32_t c = 0; c < g->rows->cases; c++)
-        loss += differentiate_case(g, g->rows->first[c], g->rows->first[c + 1]);
+    for (uint32_t c = 0; c < g->rows->cases; c++) {
+        const uint32_t begin = g->rows->first[c], end = g->rows->first[c + 1];
+        loss += g->rule->each_row ? differentiate_rows(g, begin, end) : differentiate_case(g, begin, end);
+    }
     return loss / g->rows->cases;
 }
 

@@ -4,13 +4,14 @@
 
 #include "dragmesh_lab.h"
 
-/* Candidates of many cases. A case's share one probability: the softmax of score + weight. */
+/* Rows of many cases. Those of a case share one probability, the softmax of score + weight, or each has its own: the
+ * logistic function of its score (dm_lab_boost_rule.each_row). */
 typedef struct dm_lab_rows {
     uint32_t columns, cases;
     const uint32_t* first; /* cases + 1: a case's rows are first[i]..first[i + 1] - 1 */
     const uint8_t* bins;   /* x columns: into which of its column's DM_LAB_BINS a number falls */
-    const float* weights;  /* logarithms: for how many candidates a row stands */
-    const float* target;   /* probabilities; those of a case sum to 1 */
+    const float* weights;  /* logarithms: for how many rows a row stands */
+    const float* target;   /* probabilities; those of a case sum to 1, unless each row has its own */
     const float* scores;   /* that the trees correct; NULL: 0 */
 } dm_lab_rows;
 
@@ -23,6 +24,7 @@ typedef struct dm_lab_boost_rule {
     float least;                    /* sum of second derivatives in a leaf: at least */
     float case_share, column_share; /* subsampled anew for every tree */
     uint64_t seed;
+    uint32_t each_row; /* 1: a row's probability is its own */
 } dm_lab_boost_rule;
 
 /* One a node, 2 leaves - 1 a tree; nodes that a tree does not need are leaves of score 0. */
