@@ -10,6 +10,22 @@ PAPER = ("kitchen_cabinet", "cabinet", "drawers", "wardrobe", "table", "toilet",
          "dishwasher", "refrigerator", "camera", "safe", "printer", "box", "pot", "toaster", "washing_machine", "microwave",
          "phone", "door", "suitcase", "bucket", "keyboard", "oven", "laptop")
 
+# Kinds of things that people most often hand over whole: furniture, appliances, containers, openings, household and desk.
+EVERYDAY = frozenset("""
+    airframe bare_leaves barrier blender bottle box bread_bin bucket button cabinet camera car casement chest
+    clothes_airer coffee_machine coffee_maker contour_case control_panel cooler corner_cabinet cot counter_oven
+    desk_hutch desk_lamp dishwasher dispenser door door_box drawbridge drawers drop_pot dumpster dungeon_gate
+    extending_table eyeglasses faucet flag_box flat_cart flush_cabinet fold_desk folding_chair folding_knife
+    folding_panel folding_table fuel_pump gamepad garage_door gate grill hangar_door hard_case hospital_bed jar kettle
+    keyboard kitchen_cabinet kitchen_counter knob laptop latch lever lidded_bin lighter mailbox microwave monitor
+    nightstand notebook office_chair oven padlock pail pedestal pen phone post_door pot pressure_hatch printer
+    recliner refrigerator safe sarcophagus scifi_door scissors secret_wall sewing_machine shell_case shelter showcase
+    slab_cabinet sliding_cabinet sliding_door sliding_window sluice_gate sofa_bed solid_printer stage_light stapler
+    step_ladder stove strongbox suitcase swing swing_bin switch swivel_chair syringe table tap ticket_machine
+    tilt_cabinet toaster toilet toolbox trapdoor trash_can treatment_chair tripod usb_stick valve vanity vise
+    vr_controller waffle_iron wall_bed wardrobe washing_machine well wheel window
+""".split())
+
 
 def kinds_of(kinds, which):
     """Names of the generator's kinds (dragmesh.lab.Kind) that are chosen by `which`: "trained", all that are trained on; of these
