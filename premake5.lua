@@ -213,6 +213,7 @@ end
 local made = {
     segmentation = { embed("part_finder_weights", "sdk/models/part_finder.safetensors",
         "segmentation/part_finder_weights.h") },
+    assets = { embed("asset_weights", "sdk/models/asset_parts.safetensors", "assets/asset_weights.h") },
 }
 
 local api = "plugin_api/include"

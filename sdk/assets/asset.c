@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "assets/asset_verdict.h"
+#include "assets/asset_weights.h"
 #include "assets/body_hints.h"
 #include "assets/node_order.h"
 #include "kinematics/object/part_selection.h"
@@ -91,6 +91,7 @@ static dm_result describe_nodes(making* work) {
                                     .order = work->order,
                                     .node_count = count,
                                     .use_names = desc->use_names,
+                                    .min_moves = desc->min_moves,
                                     .up = {0, 1, 0},
                                     .arena = &work->arena};
     const dmi_float3 up = dmi_xyz(desc->labels.up);
@@ -119,8 +120,14 @@ static dm_result drop_flat_bodies(making* work) {
 
 static dm_result find_bodies(making* work) {
     const dmi_progress finding = dmi_progress_piece(work->desc->progress, MESH_DONE, BODIES_DONE);
+    dmi_asset_models models;
+    dm_result result = dmi_asset_models_load(work->env, dmi_asset_weights, dmi_asset_weights_size, &models);
+    if (result != DM_OK) return result;
     work->query.progress = &finding;
-    dm_result result = dmi_asset_find_bodies(work->env, &work->query, &work->bodies);
+    work->query.models = &models;
+    result = dmi_asset_find_bodies(work->env, &work->query, &work->bodies);
+    work->query.models = NULL;
+    dmi_asset_models_release(&models);
     if (result == DM_OK) result = drop_flat_bodies(work);
     if (result == DM_OK) result = dmi_progress_tell(&finding, 1);
     work->query.progress = NULL;
@@ -276,10 +283,7 @@ static dm_result make(making* work, dmi_asset* asset) {
     if (result == DM_OK) result = order_nodes(work);
     if (result == DM_OK) result = describe_nodes(work);
     if (result == DM_OK) result = find_bodies(work);
-    if (result == DM_OK && work->bodies.count > 0) {
-        result = infer_joints(work);
-        if (result == DM_OK) result = dmi_asset_judge(work->env, &work->query, work->object, &work->bodies);
-    }
+    if (result == DM_OK && work->bodies.count > 0) result = infer_joints(work);
     if (result == DM_OK) result = fill(work, asset);
     return result == DM_OK ? dmi_progress_tell(desc->progress, 1) : result;
 }

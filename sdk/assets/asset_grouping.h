@@ -4,11 +4,13 @@
 
 #include <stdbool.h>
 
+#include "assets/asset_models.h"
 #include "base/arena.h"
 #include "base/progress.h"
 #include "mesh/mesh.h"
 
 #define DMI_ASSET_BODY UINT32_MAX /* in place of an index: the body that stays, or nothing */
+#define DMI_ASSET_MAX_UNITS 1024  /* nodes with faces that are grouped: tables of pairs stay below 20 MB */
 
 /* What is known of a node before its shape is looked at. */
 typedef struct dmi_asset_node {
@@ -28,7 +30,9 @@ typedef struct dmi_asset_query {
     const uint32_t* order; /* the nodes, each after its parent */
     uint32_t node_count;
     bool use_names;
-    float up[3]; /* unit, object-normalised */
+    const dmi_asset_models* models; /* NULL: by rules */
+    float up[3];                    /* unit, object-normalised */
+    float min_moves;                /* bodies whose probability is below are not listed, unless they are given */
     const dmi_progress* progress;
     dmi_arena* arena; /* of the answers too */
 } dmi_asset_query;

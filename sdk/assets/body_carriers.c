@@ -1,0 +1,112 @@
+/* Finds what carries each body: by the file's own tree, else by what it touches most. */
+#include "assets/body_carriers.h"
+
+#include <string.h>
+
+/* The body that carries a unit's node in the file's own tree; DMI_ASSET_BODY: none. */
+static uint32_t carrier_in_tree(const dmi_asset_query* q, const dmi_asset_units* u, const uint32_t* body_of_unit,
+                                uint32_t unit) {
+    if (!q->use_names) return DMI_ASSET_BODY;
+    uint32_t node = q->nodes[u->node[unit]].parent;
+    for (uint32_t depth = 0; node != DMI_ASSET_BODY && depth < q->node_count; depth++) {
+        const uint32_t above = u->of_node[node];
+        if (above != UINT32_MAX && body_of_unit[above] != body_of_unit[unit]) return body_of_unit[above];
+        node = q->nodes[node].parent;
+    }
+    return DMI_ASSET_BODY;
+}
+
+/* What the bodies touch: row b has the cells at which body b touches each other one, and last what stays. */
+typedef struct touching {
+    uint32_t count;
+    uint32_t* touched; /* count x (count + 1) */
+    uint32_t* cells;   /* of each body */
+} touching;
+
+static const uint32_t* row_of(const touching* t, uint32_t body) {
+    return t->touched + (size_t)body * (t->count + 1);
+}
+
+static dm_result find_touching(dmi_arena* arena, const dmi_node_cells* g, const uint32_t* body_of_unit, uint32_t count,
+                               touching* out) {
+    const size_t size = (size_t)count * (count + 1) * sizeof *out->touched;
+    *out = (touching){count, dmi_arena_push(arena, size + 1), dmi_arena_push(arena, (count + 1) * sizeof *out->cells)};
+    if (out->touched == NULL || out->cells == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    memset(out->touched, 0, size);
+    memset(out->cells, 0, count * sizeof *out->cells);
+    for (uint32_t unit = 0; unit < g->node_count; unit++) {
+        const uint32_t b = body_of_unit[unit];
+        if (b == DMI_ASSET_BODY) continue;
+        out->cells[b] += g->first[unit + 1] - g->first[unit];
+        for (uint32_t other = 0; other < g->node_count; other++) {
+            const uint32_t body = body_of_unit[other];
+            if (body == b) continue;
+            out->touched[(size_t)b * (count + 1) + (body == DMI_ASSET_BODY ? count : body)] +=
+                g->contacts[(size_t)unit * g->node_count + other];
+        }
+    }
+    return DM_OK;
+}
+
+/* The larger body that b touches more than all that stays. */
+static uint32_t find_larger(const touching* t, uint32_t b) {
+    const uint32_t* row = row_of(t, b);
+    uint32_t best = DMI_ASSET_BODY;
+    for (uint32_t k = 0; k < t->count; k++)
+        if (t->cells[k] > t->cells[b] && row[k] > row[t->count] && (best == DMI_ASSET_BODY || row[k] > row[best]))
+            best = k;
+    return best;
+}
+
+static bool is_carried_by(const dmi_asset_bodies* bodies, uint32_t body, uint32_t carrier) {
+    while (body != DMI_ASSET_BODY && body != carrier) body = bodies->bodies[body].carrier;
+    return body == carrier;
+}
+
+/* The body with a place that b touches most. held: body -> round in which it got its place, from 1; 0: not yet. */
+static uint32_t find_held(const touching* t, const uint16_t* held, uint16_t round, uint32_t b,
+                          const dmi_asset_bodies* bodies) {
+    const uint32_t* row = row_of(t, b);
+    uint32_t best = DMI_ASSET_BODY;
+    for (uint32_t k = 0; k < t->count; k++)
+        if (held[k] > 0 && held[k] < round && row[k] > (best == DMI_ASSET_BODY ? 0 : row[best]) &&
+            !is_carried_by(bodies, k, b))
+            best = k;
+    return best;
+}
+
+/* Hangs the bodies that touch nothing that stays on those that do, and so on outwards, round by round, as panels of a
+ * folding door hang on each other. */
+static void hang_chains(const touching* t, uint16_t* held, dmi_asset_bodies* out) {
+    bool found = true;
+    for (uint16_t round = 2; found; round++) {
+        found = false;
+        for (uint32_t b = 0; b < t->count; b++) {
+            const uint32_t carrier = held[b] ? DMI_ASSET_BODY : find_held(t, held, round, b, out);
+            if (carrier == DMI_ASSET_BODY) continue;
+            out->bodies[b].carrier = carrier;
+            held[b] = round;
+            found = true;
+        }
+    }
+}
+
+dm_result dmi_asset_find_carriers(const dmi_asset_query* q, const dmi_asset_units* u, const dmi_node_cells* g,
+                                  const uint32_t* body_of_unit, dmi_asset_bodies* out) {
+    touching t;
+    uint16_t* held = dmi_arena_push(q->arena, (out->count + 1) * sizeof *held);
+    const dm_result result = find_touching(q->arena, g, body_of_unit, out->count, &t);
+    if (result != DM_OK || held == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    for (uint32_t b = 0; b < out->count; b++) {
+        out->bodies[b].carrier = find_larger(&t, b);
+        held[b] = out->bodies[b].carrier != DMI_ASSET_BODY || row_of(&t, b)[out->count] > 0;
+    }
+    hang_chains(&t, held, out);
+    for (uint32_t unit = 0; unit < u->count; unit++) {
+        const uint32_t b = body_of_unit[unit];
+        if (b == DMI_ASSET_BODY) continue;
+        const uint32_t above = carrier_in_tree(q, u, body_of_unit, unit);
+        if (above != DMI_ASSET_BODY && !is_carried_by(out, above, b)) out->bodies[b].carrier = above;
+    }
+    return DM_OK;
+}

@@ -1,0 +1,270 @@
+/* Grouping of an asset's nodes: which are one body, which bodies move, what carries them, and that the order of faces
+ * and nodes does not count. */
+#include "test_env.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "assets/asset_grouping.h"
+#include "assets/asset_weights.h"
+#include "assets/node_cells.h"
+#include "mesh/mesh.h"
+#include "test_shapes.h"
+
+enum { MOST_NODES = 32 };
+
+/* Boxes as nodes of an asset, node i with the faces of id i + 1. */
+typedef struct scene {
+    test_env t;
+    test_shape shape;
+    dmi_asset_node nodes[MOST_NODES];
+    uint32_t order[MOST_NODES], count;
+    dmi_mesh* mesh;
+    dmi_arena arena;
+    dmi_asset_models models;
+    dmi_asset_bodies bodies;
+} scene;
+
+static uint32_t add_node(scene* s, const char* name, uint32_t parent) {
+    s->nodes[s->count] =
+        (dmi_asset_node){.name = name, .mesh_name = "", .parent = parent, .given_body = DMI_ASSET_BODY};
+    s->order[s->count] = s->count;
+    return s->count++;
+}
+
+static uint32_t add_box(scene* s, const char* name, const float low[3], const float high[3]) {
+    test_shape_box(&s->shape, low, high, s->count + 1);
+    return add_node(s, name, DMI_ASSET_BODY);
+}
+
+/* A wardrobe 1 wide, 2 high, .6 deep of five boards with the front open, its door of three nodes. */
+enum { LEFT, RIGHT, BOTTOM, TOP, BACK, PANEL, GLASS, HANDLE, WARDROBE_NODES };
+
+static void add_wardrobe(scene* s) {
+    add_box(s, "", (const float[]){0, 0, 0}, (const float[]){0.02f, 2, 0.6f});
+    add_box(s, "", (const float[]){0.98f, 0, 0}, (const float[]){1, 2, 0.6f});
+    add_box(s, "", (const float[]){0.02f, 0, 0}, (const float[]){0.98f, 0.02f, 0.6f});
+    add_box(s, "", (const float[]){0.02f, 1.98f, 0}, (const float[]){0.98f, 2, 0.6f});
+    add_box(s, "", (const float[]){0.02f, 0.02f, 0}, (const float[]){0.98f, 1.98f, 0.02f});
+    add_box(s, "", (const float[]){0, 0, 0.605f}, (const float[]){1, 2, 0.625f});
+    add_box(s, "", (const float[]){0.2f, 0.5f, 0.625f}, (const float[]){0.8f, 1.7f, 0.63f});
+    add_box(s, "", (const float[]){0.9f, 0.9f, 0.625f}, (const float[]){0.92f, 1.1f, 0.66f});
+}
+
+static scene* open_scene(void) {
+    scene* s = calloc(1, sizeof *s);
+    assert_non_null(s);
+    test_env_open(&s->t, TEST_NEVER);
+    dmi_arena_init(&s->arena, &s->t.env, 1 << 16);
+    assert_int_equal(dmi_asset_models_load(&s->t.env, dmi_asset_weights, dmi_asset_weights_size, &s->models), DM_OK);
+    return s;
+}
+
+static void close_scene(scene* s) {
+    dmi_mesh_destroy(&s->t.env, s->mesh);
+    dmi_arena_release(&s->arena);
+    dmi_asset_models_release(&s->models);
+    test_env_close(&s->t);
+    free(s);
+}
+
+static dm_result group(scene* s) {
+    dmi_axes axes;
+    assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
+    const dm_mesh_desc desc = test_shape_desc(&s->shape);
+    dmi_mesh_destroy(&s->t.env, s->mesh);
+    assert_int_equal(dmi_mesh_create_numbered(&s->t.env, &axes, &desc, s->count, NULL, &s->mesh), DM_OK);
+    const dmi_asset_query query = {.mesh = s->mesh,
+                                   .nodes = s->nodes,
+                                   .order = s->order,
+                                   .node_count = s->count,
+                                   .use_names = true,
+                                   .models = &s->models,
+                                   .min_moves = 0.5f,
+                                   .arena = &s->arena};
+    return dmi_asset_find_bodies(&s->t.env, &query, &s->bodies);
+}
+
+static uint32_t body_of(const scene* s, uint32_t node) {
+    return s->bodies.body_of_node[node];
+}
+
+/* ---- what is found ---- */
+
+static void nodes_of_a_door_are_one_body(void** state) {
+    (void)state;
+    scene* s = open_scene();
+    add_wardrobe(s);
+    assert_int_equal(group(s), DM_OK);
+    for (uint32_t n = LEFT; n <= BACK; n++) assert_int_equal(body_of(s, n), DMI_ASSET_BODY);
+    assert_int_not_equal(body_of(s, PANEL), DMI_ASSET_BODY);
+    assert_int_equal(body_of(s, GLASS), body_of(s, PANEL));
+    assert_int_equal(body_of(s, HANDLE), body_of(s, PANEL));
+    assert_int_equal(s->bodies.count, 1);
+    assert_true(s->bodies.bodies[0].moves >= 0.5f && s->bodies.bodies[0].moves <= 1);
+    close_scene(s);
+}
+
+static void a_single_node_stays(void** state) {
+    (void)state;
+    scene* s = open_scene();
+    add_box(s, "door", (const float[]){0, 0, 0}, (const float[]){1, 2, 0.1f});
+    assert_int_equal(group(s), DM_OK);
+    assert_int_equal(s->bodies.count, 0);
+    assert_int_equal(body_of(s, 0), DMI_ASSET_BODY);
+    close_scene(s);
+}
+
+/* ---- what the asset says ---- */
+
+/* A node that is stated to move is a body alone, whatever it looks like. */
+static void given_nodes_are_one_body(void** state) {
+    (void)state;
+    scene* s = open_scene();
+    add_wardrobe(s);
+    s->nodes[LEFT].given_body = s->nodes[BOTTOM].given_body = 7;
+    assert_int_equal(group(s), DM_OK);
+    const uint32_t body = body_of(s, LEFT);
+    assert_int_not_equal(body, DMI_ASSET_BODY);
+    assert_int_equal(body_of(s, BOTTOM), body);
+    assert_true(s->bodies.bodies[body].moves == 1);
+    for (uint32_t n = 0; n < WARDROBE_NODES; n++)
+        if (n != LEFT && n != BOTTOM) assert_int_not_equal(body_of(s, n), body);
+    close_scene(s);
+}
+
+static void fixed_nodes_go_with_what_is_above(void** state) {
+    (void)state;
+    scene* s = open_scene();
+    add_wardrobe(s);
+    s->nodes[PANEL].given_body = 3;
+    s->nodes[TOP].is_fixed = true;
+    s->nodes[TOP].parent = PANEL;
+    const uint32_t order[] = {LEFT, RIGHT, BOTTOM, BACK, PANEL, GLASS, HANDLE, TOP};
+    memcpy(s->order, order, sizeof order);
+    assert_int_equal(group(s), DM_OK);
+    assert_int_equal(body_of(s, TOP), body_of(s, PANEL));
+    close_scene(s);
+}
+
+static void a_group_is_of_the_body_below_it(void** state) {
+    (void)state;
+    scene* s = open_scene();
+    add_wardrobe(s);
+    const uint32_t hinge = add_node(s, "", DMI_ASSET_BODY), room = add_node(s, "", DMI_ASSET_BODY);
+    for (uint32_t n = PANEL; n <= HANDLE; n++) s->nodes[n].parent = hinge, s->nodes[n].given_body = 1;
+    s->nodes[LEFT].parent = s->nodes[hinge].parent = room;
+    const uint32_t order[] = {room, hinge, LEFT, RIGHT, BOTTOM, TOP, BACK, PANEL, GLASS, HANDLE};
+    memcpy(s->order, order, sizeof order);
+    assert_int_equal(group(s), DM_OK);
+    assert_int_equal(body_of(s, hinge), body_of(s, PANEL));
+    assert_int_equal(body_of(s, room), DMI_ASSET_BODY);
+    close_scene(s);
+}
+
+static void a_part_on_a_part_is_carried_by_it(void** state) {
+    (void)state;
+    scene* s = open_scene();
+    add_wardrobe(s);
+    s->nodes[PANEL].given_body = 1;
+    s->nodes[GLASS].given_body = 1;
+    s->nodes[HANDLE].given_body = 2;
+    assert_int_equal(group(s), DM_OK);
+    const uint32_t door = body_of(s, PANEL), handle = body_of(s, HANDLE);
+    assert_int_equal(s->bodies.bodies[handle].carrier, door);
+    assert_int_equal(s->bodies.bodies[door].carrier, DMI_ASSET_BODY);
+    close_scene(s);
+}
+
+/* The second panel of a folding door touches the first one alone. A third thing lies on the second. */
+static void panels_hang_on_each_other(void** state) {
+    (void)state;
+    scene* s = open_scene();
+    const uint32_t post = add_box(s, "", (const float[]){0, 0, 0}, (const float[]){0.1f, 2, 0.1f});
+    const uint32_t first = add_box(s, "", (const float[]){0.1f, 0, 0}, (const float[]){0.6f, 2, 0.04f});
+    const uint32_t second = add_box(s, "", (const float[]){0.6f, 0, 0}, (const float[]){1.1f, 2, 0.04f});
+    const uint32_t knob = add_box(s, "", (const float[]){1, 1, 0.04f}, (const float[]){1.05f, 1.05f, 0.1f});
+    s->nodes[first].given_body = 1, s->nodes[second].given_body = 2, s->nodes[knob].given_body = 3;
+    assert_int_equal(group(s), DM_OK);
+    const dmi_asset_body* bodies = s->bodies.bodies;
+    assert_int_equal(body_of(s, post), DMI_ASSET_BODY);
+    assert_int_equal(bodies[body_of(s, first)].carrier, DMI_ASSET_BODY);
+    assert_int_equal(bodies[body_of(s, second)].carrier, body_of(s, first));
+    assert_int_equal(bodies[body_of(s, knob)].carrier, body_of(s, second));
+    close_scene(s);
+}
+
+/* ---- orders ---- */
+
+/* Turns the list of faces round, and the corners of each. */
+static void reverse_faces(test_shape* shape) {
+    for (uint32_t i = 0, k = shape->face_count; i < k--; i++) {
+        uint32_t corners[3];
+        memcpy(corners, shape->corners[i], sizeof corners);
+        memcpy(shape->corners[i], shape->corners[k], sizeof corners);
+        memcpy(shape->corners[k], corners, sizeof corners);
+        const uint32_t part = shape->part[i];
+        shape->part[i] = shape->part[k], shape->part[k] = part;
+    }
+    for (uint32_t f = 0; f < shape->face_count; f++) {
+        const uint32_t first = shape->corners[f][0];
+        shape->corners[f][0] = shape->corners[f][1];
+        shape->corners[f][1] = shape->corners[f][2];
+        shape->corners[f][2] = first;
+    }
+}
+
+static void the_order_of_faces_does_not_count(void** state) {
+    (void)state;
+    scene* s = open_scene();
+    add_wardrobe(s);
+    assert_int_equal(group(s), DM_OK);
+    uint32_t before[WARDROBE_NODES];
+    memcpy(before, s->bodies.body_of_node, sizeof before);
+    const float moves = s->bodies.bodies[0].moves;
+    reverse_faces(&s->shape);
+    assert_int_equal(group(s), DM_OK);
+    assert_memory_equal(s->bodies.body_of_node, before, sizeof before);
+    assert_true(fabsf(s->bodies.bodies[0].moves - moves) < 0.05f);
+    close_scene(s);
+}
+
+/* ---- limits ---- */
+
+static void failing_memory_leaves_nothing(void** state) {
+    (void)state;
+    for (int64_t fail_at = 0;; fail_at++) {
+        scene* s = open_scene();
+        add_wardrobe(s);
+        s->t.memory.fail_at = s->t.memory.calls + fail_at;
+        dmi_axes axes;
+        assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 0));
+        const dm_mesh_desc desc = test_shape_desc(&s->shape);
+        dm_result result = dmi_mesh_create_numbered(&s->t.env, &axes, &desc, s->count, NULL, &s->mesh);
+        const dmi_asset_query query = {.mesh = s->mesh,
+                                       .nodes = s->nodes,
+                                       .order = s->order,
+                                       .node_count = s->count,
+                                       .models = &s->models,
+                                       .min_moves = 0.5f,
+                                       .arena = &s->arena};
+        if (result == DM_OK) result = dmi_asset_find_bodies(&s->t.env, &query, &s->bodies);
+        s->t.memory.fail_at = TEST_NEVER;
+        close_scene(s);
+        if (result == DM_OK) break;
+        assert_int_equal(result, DM_ERROR_OUT_OF_MEMORY);
+        assert_true(fail_at < 1000);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nodes_of_a_door_are_one_body),    cmocka_unit_test(a_single_node_stays),
+        cmocka_unit_test(given_nodes_are_one_body),        cmocka_unit_test(fixed_nodes_go_with_what_is_above),
+        cmocka_unit_test(a_group_is_of_the_body_below_it), cmocka_unit_test(a_part_on_a_part_is_carried_by_it),
+        cmocka_unit_test(panels_hang_on_each_other),       cmocka_unit_test(the_order_of_faces_does_not_count),
+        cmocka_unit_test(failing_memory_leaves_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
