@@ -36,7 +36,7 @@ static cJSON* part_to_json(const session* session, const rig* rig, const rig_par
     cJSON_AddStringToObject(out, "basis", bases[part->part.basis]);
     joint_to_json(&part->joint, session->origin, out);
     if (part->part.duration > 0) json_add_number(out, "duration", (double)part->part.duration, 9);
-    cJSON_AddNumberToObject(out, "triangles", part->part.triangle_count);
+    cJSON_AddNumberToObject(out, "triangle_count", part->part.triangle_count);
     return out;
 }
 

@@ -103,8 +103,6 @@ static const bad_job bad_jobs[] = {
     {"empty.glb", "\"moving\":[\"$\"]", "DM_ERROR_BAD_DATA: ", "is empty"},
     {"truncated.glb", "\"moving\":[\"$\"]", "DM_ERROR_BAD_DATA: ", "truncated"},
     {"greedy.glb", "\"moving\":[\"body\"]", "DM_ERROR_NOT_FOUND: ", "leave buffer view"},
-    {"nan.glb", "\"moving\":[\"body\"]", "DM_ERROR_NOT_FOUND: ", "vertex 5"},
-    {"index.glb", "\"moving\":[\"body\"]", "DM_ERROR_NOT_FOUND: ", "triangle 2 names vertex 123456789"},
     {"object.glb", "\"moving\":[\"nosuch\"]", "DM_ERROR_NOT_FOUND: ", "'nosuch'"},
     {"object.glb", "\"moving\":[]", "DM_ERROR_EMPTY_MASK: ", "says what moves"},
     {"object.glb", "\"mask\":\"@/zeros.json\"", "DM_ERROR_EMPTY_MASK: ", "mask"},
@@ -182,8 +180,6 @@ static void test_every_bad_job_is_named_and_the_rest_answered(void** state) {
     write_mask_of('1', "ones.json");
     write_truncated("truncated.glb");
     write_greedy_accessor("greedy.glb");
-    write_not_a_number("nan.glb");
-    write_index_out_of_range("index.glb");
     jobs[0] = 0;
     for (int i = 0; i < BAD_JOBS; i++) {
         append_job("bad", i, bad_jobs[i].file, bad_jobs[i].fields);
@@ -211,6 +207,25 @@ static void test_every_bad_job_is_named_and_the_rest_answered(void** state) {
         assert_non_null(strstr(line, "\"good"));
     }
     assert_null(line);
+}
+
+/* A vertex that is no number and an index beyond the vertices cost the triangles that have them, and a warning. */
+static void test_bad_triangles_cost_themselves_alone(void** state) {
+    (void)state;
+    write_not_a_number("nan.glb");
+    write_index_out_of_range("index.glb");
+    jobs[0] = 0;
+    append_job("nan", 0, "nan.glb", "\"moving\":[\"$\"]");
+    append_job("index", 1, "index.glb", "\"moving\":[\"$\"]");
+    tool_run(&out, "dragmesh", jobs, "infer|--models|none|--jobs|-");
+    assert_int_equal(out.status, 0);
+    char* line = strtok(out.text, "\n");
+    for (int i = 0; i < 2; i++, line = strtok(NULL, "\n")) {
+        assert_non_null(line);
+        assert_null(strstr(line, "\"error\""));
+        assert_non_null(strstr(line, "\"warnings\""));
+        assert_non_null(strstr(line, i == 0 ? "vertex 5" : "123456789"));
+    }
 }
 
 /* What names standard input on the command line is an error within a job, and takes none of the lines that follow. */
@@ -530,6 +545,7 @@ static void test_every_line_is_utf8(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_bad_job_is_named_and_the_rest_answered),
+        cmocka_unit_test(test_bad_triangles_cost_themselves_alone),
         cmocka_unit_test(test_a_job_can_not_name_an_input),
         cmocka_unit_test(test_single_job_fails_with_status_1),
         cmocka_unit_test(test_wrong_weights),
