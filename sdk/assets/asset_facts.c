@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "math/elementary.h"
+
 #define ALIKE 0.02f             /* relative difference of extents and areas of twins; by hand */
 #define LEAST_DIFFERENCE 0.001f /* of extents, in object sizes, that counts; by hand */
 
@@ -22,7 +24,7 @@ void dmi_sorted_extents(const float low[3], const float high[3], float out[3]) {
 }
 
 static bool is_close(float a, float b) {
-    return fabsf(a - b) <= ALIKE * fmaxf(fabsf(a), fabsf(b)) + LEAST_DIFFERENCE;
+    return fabsf(a - b) <= ALIKE * dmi_fmaxf(fabsf(a), fabsf(b)) + LEAST_DIFFERENCE;
 }
 
 bool dmi_shapes_are_alike(const float low_a[3], const float high_a[3], float area_a, const float low_b[3],
@@ -30,7 +32,7 @@ bool dmi_shapes_are_alike(const float low_a[3], const float high_a[3], float are
     float a[3], b[3];
     dmi_sorted_extents(low_a, high_a, a);
     dmi_sorted_extents(low_b, high_b, b);
-    if (fabsf(area_a - area_b) > ALIKE * fmaxf(area_a, area_b)) return false;
+    if (fabsf(area_a - area_b) > ALIKE * dmi_fmaxf(area_a, area_b)) return false;
     return is_close(a[0], b[0]) && is_close(a[1], b[1]) && is_close(a[2], b[2]);
 }
 
@@ -42,8 +44,8 @@ dm_result dmi_asset_facts_make(dmi_arena* arena, const dmi_node_cells* g, const 
     for (int k = 0; k < 3; k++) out->low[k] = INFINITY, out->high[k] = -INFINITY;
     for (uint32_t n = 0; n < g->node_count; n++) {
         for (int k = 0; k < 3; k++) {
-            out->low[k] = fminf(out->low[k], g->low_of[n][k]);
-            out->high[k] = fmaxf(out->high[k], g->high_of[n][k]);
+            out->low[k] = dmi_fminf(out->low[k], g->low_of[n][k]);
+            out->high[k] = dmi_fmaxf(out->high[k], g->high_of[n][k]);
         }
         out->area += g->area[n];
         if (dmi_cells_of(g, n) > dmi_cells_of(g, out->largest)) out->largest = n;

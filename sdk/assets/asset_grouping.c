@@ -7,6 +7,7 @@
 #include "assets/body_carriers.h"
 #include "assets/loose_units.h"
 #include "assets/set_ratings.h"
+#include "math/elementary.h"
 
 /* Probability of a set that is answered as one half. Bodies that are found and those that are missed weigh alike (F1),
  * so that a set is worth an answer although it is less likely than not; on generated assets of kinds held out. */
@@ -92,7 +93,7 @@ static void compare_sets(choice* c, float min_moves) {
         const float inside = kids[0] == UINT32_MAX ? 0 : c->worth[kids[0]] + c->worth[kids[1]];
         const float own = c->moves[s] - min_moves;
         c->chosen[s] = own >= 0 && c->moves[s] > 0 && own >= inside;
-        c->worth[s] = fmaxf(0, fmaxf(own, inside));
+        c->worth[s] = dmi_fmaxf(0, dmi_fmaxf(own, inside));
     }
 }
 

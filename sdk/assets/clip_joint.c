@@ -134,8 +134,8 @@ static bool find_range(const axis_joint* joint, const dm_asset_clip* clip, const
         const double next = value_of(joint, &pose, value);
         if (!is_on_joint(joint, &pose, next, by)) return false;
         out->last_step = i > 0 ? fabs(next - value) : 0;
-        out->lower = i > 0 ? fmin(out->lower, next) : next;
-        out->upper = i > 0 ? fmax(out->upper, next) : next;
+        out->lower = i > 0 ? dmi_fmin(out->lower, next) : next;
+        out->upper = i > 0 ? dmi_fmax(out->upper, next) : next;
         value = next;
     }
     return true;
@@ -147,7 +147,7 @@ static void widen(value_range* range, const value_range* by, bool turns) {
     double best = INFINITY, lower = 0, upper = 0;
     for (int turn = -1; turn <= 1; turn++) {
         const double shift = turns ? turn * 2 * PI : 0;
-        const double low = fmin(range->lower, by->lower + shift), high = fmax(range->upper, by->upper + shift);
+        const double low = dmi_fmin(range->lower, by->lower + shift), high = dmi_fmax(range->upper, by->upper + shift);
         const double least = high - low + (turn == 0 ? 0 : FULL_TURN_ERROR);
         if (least >= best) continue;
         best = least;
@@ -156,7 +156,7 @@ static void widen(value_range* range, const value_range* by, bool turns) {
     }
     range->lower = lower;
     range->upper = upper;
-    range->last_step = fmax(range->last_step, by->last_step);
+    range->last_step = dmi_fmax(range->last_step, by->last_step);
 }
 
 /* ---- fitting ---- */
@@ -216,7 +216,7 @@ static void fit_line(const dm_asset_clip* clip, const scale* by, axis_joint* out
         weight += 2 * (1 - circle.cosine);
         advance += value * along;
         squares += value * value;
-        farthest = fmax(farthest, fabs(value));
+        farthest = dmi_fmax(farthest, fabs(value));
     }
     for (int k = 0; k < 3; k++) out->origin[k] = sum[k] / weight;
     out->pitch = advance / squares;
@@ -231,8 +231,8 @@ static fit fit_clip(const dm_asset_clip* clip, const scale* by, axis_joint* out,
     *out = (axis_joint){.type = DM_JOINT_REVOLUTE};
     for (uint32_t i = 0; i < clip->key_count; i++) {
         const rigid pose = read_pose(&clip->poses[i]);
-        turn = fmax(turn, angle_of(&pose));
-        way = fmax(way, way_of(&pose, by));
+        turn = dmi_fmax(turn, angle_of(&pose));
+        way = dmi_fmax(way, way_of(&pose, by));
     }
     if (turn * by->size / 2 + way < STILL_SHARE * by->size) return STILL;
     if (turn < STILL_TURN) {
@@ -256,7 +256,7 @@ static double find_duration(const axis_joint* joint, const dm_asset_clip* clip, 
         value = value_of(joint, &pose, value);
         const int end = value <= range->lower + near ? 0 : value >= range->upper - near ? 1 : -1;
         if (end < 0) continue;
-        if (left[1 - end] >= 0) least = fmin(least, time - left[1 - end]);
+        if (left[1 - end] >= 0) least = dmi_fmin(least, time - left[1 - end]);
         left[end] = time;
     }
     return least < INFINITY ? least : 0;

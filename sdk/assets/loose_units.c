@@ -4,8 +4,9 @@
 #include <string.h>
 
 #define NONE UINT32_MAX
-#define MOST_SHARE 0.25f /* of the body's cells, that a group has at most: a gate's second post is no handle; by hand  \
-                          */
+#define MOST_SHARE                                                                                                     \
+    0.25f /* of the body's cells, that a group has at most: a gate's second post is no handle; by hand                 \
+           */
 
 typedef struct groups {
     uint32_t* of_unit; /* group of each unit; NONE: it is of a body */

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/elementary.h"
+
 #define NEAREST 3         /* pairs without contact of each node; by hand */
 #define MIDDLE_COST 0.05f /* of the distance of two boxes, that the distance of their middles counts; by hand */
 #define MOST_BY_RULE 0.9f /* probability of a pair without models; by hand */
@@ -15,7 +17,7 @@
 static float box_distance(const dmi_node_cells* g, uint32_t a, uint32_t b) {
     float gap = 0, middle = 0;
     for (int k = 0; k < 3; k++) {
-        const float d = fmaxf(g->low_of[a][k], g->low_of[b][k]) - fminf(g->high_of[a][k], g->high_of[b][k]);
+        const float d = dmi_fmaxf(g->low_of[a][k], g->low_of[b][k]) - dmi_fminf(g->high_of[a][k], g->high_of[b][k]);
         const float m = 0.5f * (g->low_of[a][k] + g->high_of[a][k] - g->low_of[b][k] - g->high_of[b][k]);
         gap += d > 0 ? d * d : 0;
         middle += m * m;
@@ -82,7 +84,8 @@ static dm_result rate_pairs(dmi_arena* arena, dmi_merge_tree* tree, const dmi_as
         if (result == DM_OK && i % PAIRS_AT_ONCE == 0)
             result = dmi_progress_tell(progress, (float)i / (float)tree->pair_count);
         if (result != DM_OK) return result;
-        p->probability = models != NULL ? dmi_probability(&models->pairs, features) : fminf(MOST_BY_RULE, features[0]);
+        p->probability =
+            models != NULL ? dmi_probability(&models->pairs, features) : dmi_fminf(MOST_BY_RULE, features[0]);
     }
     return DM_OK;
 }
@@ -222,8 +225,8 @@ static extent measure_set(const dmi_merge_tree* tree, uint32_t set) {
         const uint32_t node = tree->members[tree->first[set] + i];
         e.area += g->area[node];
         for (int k = 0; k < 3; k++) {
-            e.low[k] = fminf(e.low[k], g->low_of[node][k]);
-            e.high[k] = fmaxf(e.high[k], g->high_of[node][k]);
+            e.low[k] = dmi_fminf(e.low[k], g->low_of[node][k]);
+            e.high[k] = dmi_fmaxf(e.high[k], g->high_of[node][k]);
         }
     }
     return e;
@@ -237,7 +240,7 @@ static void link_pairs(const dmi_merge_tree* tree, const uint8_t* member, dmi_se
         if (member[p->a] && member[p->b]) in += p->weight * p->probability, in_weight += p->weight;
         if (member[p->a] == member[p->b]) continue;
         outside += p->weight * p->probability, out_weight += p->weight;
-        out->strongest_out = fmaxf(out->strongest_out, p->probability);
+        out->strongest_out = dmi_fmaxf(out->strongest_out, p->probability);
     }
     out->mean_in = in_weight > 0 ? in / in_weight : 1;
     out->mean_out = out_weight > 0 ? outside / out_weight : 0;
@@ -266,7 +269,7 @@ dm_result dmi_merge_tree_links(dmi_arena* arena, const dmi_merge_tree* tree, dmi
         for (uint32_t i = 0; i < tree->size[s]; i++) member[tree->members[tree->first[s] + i]] = 1;
         out[s] = (dmi_set_links){.weakest = tree->link[s]};
         for (int k = 0; k < 2 && tree->children[s][0] != UINT32_MAX; k++)
-            out[s].weakest = fminf(out[s].weakest, out[tree->children[s][k]].weakest);
+            out[s].weakest = dmi_fminf(out[s].weakest, out[tree->children[s][k]].weakest);
         link_pairs(tree, member, &out[s]);
         extents[s] = measure_set(tree, s);
     }

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/elementary.h"
+
 #define CELL_BITS 24 /* of the index of a cell */
 #define DIGIT_BITS 8 /* of a pass of the radix sort */
 #define DIGITS (1u << DIGIT_BITS)
@@ -224,10 +226,10 @@ static void lay_grid(dmi_node_cells* g) {
     float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, longest = 0;
     for (uint32_t n = 0; n < g->node_count; n++)
         for (int k = 0; k < 3; k++) {
-            low[k] = fminf(low[k], g->low_of[n][k]);
-            high[k] = fmaxf(high[k], g->high_of[n][k]);
+            low[k] = dmi_fminf(low[k], g->low_of[n][k]);
+            high[k] = dmi_fmaxf(high[k], g->high_of[n][k]);
         }
-    for (int k = 0; k < 3; k++) longest = fmaxf(longest, high[k] - low[k]);
+    for (int k = 0; k < 3; k++) longest = dmi_fmaxf(longest, high[k] - low[k]);
     g->cell = longest > 0 ? longest / DMI_GRID_CELLS : 1;
     for (int k = 0; k < 3; k++) {
         g->size[k] = (int32_t)ceilf((high[k] - low[k]) / g->cell) + 3;

@@ -57,8 +57,8 @@ dm_result dmi_node_set_make(dmi_arena* arena, const dmi_node_cells* grid, const 
         out->cell_count += grid->first[nodes[n] + 1] - grid->first[nodes[n]];
         out->area += grid->area[nodes[n]];
         for (int k = 0; k < 3; k++) {
-            out->low[k] = fminf(out->low[k], grid->low_of[nodes[n]][k]);
-            out->high[k] = fmaxf(out->high[k], grid->high_of[nodes[n]][k]);
+            out->low[k] = dmi_fminf(out->low[k], grid->low_of[nodes[n]][k]);
+            out->high[k] = dmi_fmaxf(out->high[k], grid->high_of[nodes[n]][k]);
         }
     }
     pick_points(out, nodes, count);

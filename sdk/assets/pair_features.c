@@ -7,6 +7,7 @@
 
 #include "assets/feature_row.h"
 #include "assets/set_motions.h"
+#include "math/elementary.h"
 
 #define TINY 1e-6f       /* lengths and counts that are divided by are at least this */
 #define TINY_AREA 1e-12f /* and areas */
@@ -16,9 +17,9 @@
 static float box_inside(const dmi_node_cells* g, uint32_t a, uint32_t b) {
     float share = 1;
     for (int k = 0; k < 3; k++) {
-        const float low = fmaxf(g->low_of[a][k], g->low_of[b][k]) - g->cell;
-        const float high = fminf(g->high_of[a][k], g->high_of[b][k]) + g->cell;
-        share *= fmaxf(0, high - low) / (g->high_of[a][k] - g->low_of[a][k] + 2 * g->cell);
+        const float low = dmi_fmaxf(g->low_of[a][k], g->low_of[b][k]) - g->cell;
+        const float high = dmi_fminf(g->high_of[a][k], g->high_of[b][k]) + g->cell;
+        share *= dmi_fmaxf(0, high - low) / (g->high_of[a][k] - g->low_of[a][k] + 2 * g->cell);
     }
     return share;
 }
@@ -30,9 +31,9 @@ static void put_boxes(dmi_row* r, const dmi_node_cells* g, uint32_t a, uint32_t 
     dmi_sorted_extents(g->low_of[b], g->high_of[b], extent_b);
     int thin_a = 0, thin_b = 0;
     for (int k = 0; k < 3; k++) {
-        low[k] = fminf(g->low_of[a][k], g->low_of[b][k]);
-        high[k] = fmaxf(g->high_of[a][k], g->high_of[b][k]);
-        const float d = fmaxf(g->low_of[a][k], g->low_of[b][k]) - fminf(g->high_of[a][k], g->high_of[b][k]);
+        low[k] = dmi_fminf(g->low_of[a][k], g->low_of[b][k]);
+        high[k] = dmi_fmaxf(g->high_of[a][k], g->high_of[b][k]);
+        const float d = dmi_fmaxf(g->low_of[a][k], g->low_of[b][k]) - dmi_fminf(g->high_of[a][k], g->high_of[b][k]);
         gap += d > 0 ? d * d : 0;
         if (g->high_of[a][k] - g->low_of[a][k] < g->high_of[a][thin_a] - g->low_of[a][thin_a]) thin_a = k;
         if (g->high_of[b][k] - g->low_of[b][k] < g->high_of[b][thin_b] - g->low_of[b][thin_b]) thin_b = k;
@@ -68,7 +69,7 @@ static void put_pair_contacts(dmi_row* r, const dmi_node_cells* g, uint32_t a, u
             neighbours++;
             stronger += k != other && contacts[k] > contacts[other];
         }
-        dmi_put(r, (float)contacts[other] / fmaxf(1, dmi_cells_of(g, one)));
+        dmi_put(r, (float)contacts[other] / dmi_fmaxf(1, dmi_cells_of(g, one)));
         dmi_put(r, (float)contacts[other] / (sum + TINY));
         dmi_put(r, (float)neighbours), dmi_put(r, (float)stronger);
     }
@@ -119,8 +120,8 @@ dm_result dmi_pair_features_make(dmi_arena* arena, const dmi_node_cells* g, cons
         dmi_put(&r, ways[2].near + ways[2].middle), dmi_put(&r, ways[DMI_GRID_SIDES - 1].near);
         float difference = 0, least_a = 0, least_b = 0;
         for (int side = 0; side < DMI_GRID_SIDES; side++) {
-            difference = fmaxf(difference, fabsf(g->exposed[a][side] - g->exposed[b][side]));
-            least_a = fmaxf(least_a, g->exposed[a][side]), least_b = fmaxf(least_b, g->exposed[b][side]);
+            difference = dmi_fmaxf(difference, fabsf(g->exposed[a][side] - g->exposed[b][side]));
+            least_a = dmi_fmaxf(least_a, g->exposed[a][side]), least_b = dmi_fmaxf(least_b, g->exposed[b][side]);
         }
         dmi_put(&r, difference), dmi_put(&r, least_a), dmi_put(&r, least_b);
         put_pair_labels(&r, facts->labels, a, b);

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/elementary.h"
+
 #define LIKELY 0.35f /* probabilities that are counted, and those of better sets; by hand */
 #define SURE 0.6f
 #define TINY 1e-6f /* no probability is divided by less */
@@ -33,12 +35,12 @@ static dm_result relate(dmi_arena* arena, const dmi_merge_tree* tree, const dmi_
             const uint32_t kid = tree->children[s][k];
             if (kid == UINT32_MAX) continue;
             r->parent[kid] = s;
-            r->inside[s] = fmaxf(r->inside[s], fmaxf(r->inside[kid], moves[kid]));
+            r->inside[s] = dmi_fmaxf(r->inside[s], dmi_fmaxf(r->inside[kid], moves[kid]));
         }
     }
     for (uint32_t s = (uint32_t)count; s-- > 0;) {
         const uint32_t up = r->parent[s];
-        if (up != UINT32_MAX) r->around[s] = fmaxf(r->around[up], moves[up]);
+        if (up != UINT32_MAX) r->around[s] = dmi_fmaxf(r->around[up], moves[up]);
         r->twin_sum[links[s].twin] += moves[s];
         r->twin_count[links[s].twin] += 1;
     }
@@ -66,8 +68,8 @@ dm_result dmi_set_context_make(dmi_arena* arena, const dmi_merge_tree* tree, con
         mark_overlaps(tree, &r, s, overlaps);
         for (uint32_t t = 0; t < tree->set_count; t++) {
             if (overlaps[t]) continue;
-            const bool is_top = r.parent[t] == UINT32_MAX || moves[t] > fmaxf(r.inside[t], r.around[t]);
-            best = fmaxf(best, moves[t]);
+            const bool is_top = r.parent[t] == UINT32_MAX || moves[t] > dmi_fmaxf(r.inside[t], r.around[t]);
+            best = dmi_fmaxf(best, moves[t]);
             sum += is_top ? moves[t] : 0;
             likely += is_top && moves[t] > LIKELY, sure += is_top && moves[t] > SURE;
             better += moves[t] > moves[s];
@@ -75,7 +77,7 @@ dm_result dmi_set_context_make(dmi_arena* arena, const dmi_merge_tree* tree, con
         const float twins = r.twin_sum[links[s].twin] / r.twin_count[links[s].twin];
         const float row[DMI_CONTEXT_FEATURES] = {
             moves[s], best,        sum,         likely, sure,
-            better,   r.inside[s], r.around[s], twins,  moves[s] / (fmaxf(best, moves[s]) + TINY)};
+            better,   r.inside[s], r.around[s], twins,  moves[s] / (dmi_fmaxf(best, moves[s]) + TINY)};
         memcpy(out[s], row, sizeof row);
     }
     return DM_OK;

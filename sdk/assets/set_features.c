@@ -7,6 +7,7 @@
 
 #include "assets/feature_row.h"
 #include "assets/set_motions.h"
+#include "math/elementary.h"
 
 #define TINY 1e-6f      /* lengths and counts that are divided by are at least this */
 #define TINY_AREA 1e-9f /* and areas */
@@ -25,13 +26,13 @@ static void put_shape(dmi_row* r, const dmi_node_set* s, const dmi_asset_facts* 
     dmi_put(r, (float)s->cell_count / (float)facts->cell_count);
     dmi_put(r, s->area / (facts->area + TINY_AREA));
     const float box = 2 * (extent[0] * extent[1] + extent[1] * extent[2] + extent[2] * extent[0]);
-    dmi_put(r, fminf(MOST_AREA, s->area / (box + TINY_AREA)));
+    dmi_put(r, dmi_fminf(MOST_AREA, s->area / (box + TINY_AREA)));
     uint32_t sides = 0;
     float thin_gap = 1, least = 2;
     for (int k = 0; k < 3; k++) {
         const float below = s->low[k] - facts->low[k], above = facts->high[k] - s->high[k];
         sides += (uint32_t)(below < 2 * s->grid->cell) + (uint32_t)(above < 2 * s->grid->cell);
-        if (s->high[k] - s->low[k] < least) least = s->high[k] - s->low[k], thin_gap = fminf(below, above);
+        if (s->high[k] - s->low[k] < least) least = s->high[k] - s->low[k], thin_gap = dmi_fminf(below, above);
     }
     dmi_put(r, (float)sides);
     dmi_put(r, thin_gap);
@@ -48,13 +49,13 @@ static void put_contacts(dmi_row* r, const dmi_node_set* s) {
             if (s->member[n]) cells += (float)g->contacts[(size_t)n * g->node_count + other];
         neighbours += cells > 0;
         sum += cells;
-        most = fmaxf(most, cells);
+        most = dmi_fmaxf(most, cells);
     }
     for (uint32_t p = 0; p < s->point_count; p++) touching += s->touches[p] > 0, shared += s->touches[p] == 2;
-    dmi_put(r, (float)touching / fmaxf(1, (float)s->point_count));
-    dmi_put(r, (float)shared / fmaxf(1, (float)s->point_count));
+    dmi_put(r, (float)touching / dmi_fmaxf(1, (float)s->point_count));
+    dmi_put(r, (float)shared / dmi_fmaxf(1, (float)s->point_count));
     dmi_put(r, (float)neighbours);
-    dmi_put(r, (float)neighbours / fmaxf(1, (float)(g->node_count - s->node_count)));
+    dmi_put(r, (float)neighbours / dmi_fmaxf(1, (float)(g->node_count - s->node_count)));
     dmi_put(r, most / (sum + TINY));
 }
 
@@ -67,8 +68,8 @@ static void put_touched_region(dmi_row* r, const dmi_node_set* s) {
         if (s->touches[p] == 0) continue;
         count++;
         for (int k = 0; k < 3; k++) {
-            low[k] = fminf(low[k], s->points[p][k]);
-            high[k] = fmaxf(high[k], s->points[p][k]);
+            low[k] = dmi_fminf(low[k], s->points[p][k]);
+            high[k] = dmi_fmaxf(high[k], s->points[p][k]);
         }
     }
     int order[3] = {0, 1, 2};
@@ -108,7 +109,7 @@ static void put_rest(dmi_row* r, const dmi_node_set* s, uint32_t* stack, uint8_t
         }
         pieces++;
         all += cells;
-        largest = fmaxf(largest, cells);
+        largest = dmi_fmaxf(largest, cells);
     }
     dmi_put(r, (float)pieces), dmi_put(r, all > 0 ? largest / all : 0);
 }

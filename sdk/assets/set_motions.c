@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "math/elementary.h"
+
 /* All set by hand. */
 static const float WAY_CELLS[3] = {2, 8, 24}; /* cells that a set is shifted by */
 #define LITTLE 0.25f                          /* rad */
@@ -111,7 +113,7 @@ dmi_set_spin dmi_measure_spin(const dmi_node_set* s) {
         float round = 1;
         for (int i = 1; i <= 2; i++) {
             const dmi_set_motion m = {.axis = axis, .angle = SPIN_STEP * (float)i, .at = {at[0], at[1], at[2]}};
-            round = fminf(round, dmi_node_set_coincide(s, &m));
+            round = dmi_fminf(round, dmi_node_set_coincide(s, &m));
         }
         if (round > best.round) best = (dmi_set_spin){round, measure_turn(s, axis, at)};
     }

@@ -50,4 +50,8 @@ static inline double dmi_fmax(double a, double b) {
     return a > b || b != b ? a : b;
 }
 
+static inline double dmi_fmin(double a, double b) {
+    return a < b || b != b ? a : b;
+}
+
 #endif

@@ -16,12 +16,12 @@ typedef struct dmg_asset_node {
     char name[64], mesh_name[64]; /* UTF-8. No two nodes have one name, unless it is "" */
     uint32_t parent;              /* the node above it; DMG_NO_NODE: none */
     uint32_t face_count;          /* 0: an empty node, which groups others */
-    uint32_t part;                /* 0 = stays, i = joints[i - 1] moves it; of an empty node, the part that it groups, or
-                                     DMG_NO_PART */
-    uint32_t mesh;                /* nodes with one number are instances: their local positions are equal, up to
-                                     rounding. Of an empty node DMG_NO_NODE */
-    int32_t loose;                /* 1: lies on what carries it, and may be taken away */
-    float transform[16];          /* node to scene, column-major: a rotation, one scale and the pivot */
+    uint32_t part;       /* 0 = stays, i = joints[i - 1] moves it; of an empty node, the part that it groups, or
+                            DMG_NO_PART */
+    uint32_t mesh;       /* nodes with one number are instances: their local positions are equal, up to
+                            rounding. Of an empty node DMG_NO_NODE */
+    int32_t loose;       /* 1: lies on what carries it, and may be taken away */
+    float transform[16]; /* node to scene, column-major: a rotation, one scale and the pivot */
 } dmg_asset_node;
 
 typedef struct dmg_asset {

@@ -179,8 +179,8 @@ void dmg_augment_joints(dmg_builder* b, float size);
 void dmg_augment_buttons(dmg_builder* b, float size);
 
 enum { DMG_SWEPT_STOPS = 4, DMG_SWEPT_LIMIT = DMG_PART_LIMIT * DMG_SWEPT_STOPS };
-/* Computes the boxes of every part, without what it carries, at DMG_SWEPT_STOPS values of its range, its carriers moving
- * likewise. Returns their number: those of part i begin at (i - 1) * DMG_SWEPT_STOPS. */
+/* Computes the boxes of every part, without what it carries, at DMG_SWEPT_STOPS values of its range, its carriers
+ * moving likewise. Returns their number: those of part i begin at (i - 1) * DMG_SWEPT_STOPS. */
 uint32_t dmg_swept_boxes(const dmg_builder* b, dmg_bounds out[DMG_SWEPT_LIMIT]);
 bool dmg_boxes_meet(const dmg_bounds* a, const dmg_bounds* b);
 /* Returns the box of all vertices. */
