@@ -212,12 +212,19 @@ static dm_result measure_nodes(dmi_arena* arena, dmi_node_cells* g) {
     g->high_of = dmi_arena_push(arena, (g->node_count + 1) * sizeof *g->high_of);
     g->area = dmi_arena_push(arena, (g->node_count + 1) * sizeof *g->area);
     if (g->low_of == NULL || g->high_of == NULL || g->area == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    for (uint32_t n = 0; n < g->node_count; n++) {
+        g->area[n] = 0;
+        for (int k = 0; k < 3; k++) g->low_of[n][k] = INFINITY, g->high_of[n][k] = -INFINITY;
+    }
     for (uint32_t p = 0; p < g->mesh->part_count; p++) {
         const uint32_t node = g->node_of_part[p];
         if (node == UINT32_MAX) continue;
-        memcpy(g->low_of[node], g->mesh->parts[p].box_min, sizeof *g->low_of);
-        memcpy(g->high_of[node], g->mesh->parts[p].box_max, sizeof *g->high_of);
-        g->area[node] = g->mesh->parts[p].area;
+        const dmi_part* part = &g->mesh->parts[p];
+        g->area[node] += part->area;
+        for (int k = 0; k < 3; k++) {
+            g->low_of[node][k] = dmi_fminf(g->low_of[node][k], part->box_min[k]);
+            g->high_of[node][k] = dmi_fmaxf(g->high_of[node][k], part->box_max[k]);
+        }
     }
     return DM_OK;
 }

@@ -14,7 +14,7 @@
 
 typedef struct dmi_node_cells {
     const dmi_mesh* mesh;
-    const uint32_t* node_of_part; /* index in mesh->parts -> node; UINT32_MAX: none */
+    const uint32_t* node_of_part; /* index in mesh->parts -> node, which may have several; UINT32_MAX: none */
     uint32_t node_count;
     int32_t size[3]; /* cells along each axis, with an empty layer around; x varies fastest */
     float low[3];    /* corner of the grid, object-normalised */

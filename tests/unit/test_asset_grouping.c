@@ -134,6 +134,27 @@ static void given_nodes_are_one_body(void** state) {
     close_scene(s);
 }
 
+/* The parts of one unit lie at both ends of the asset: its box and its area are those of all. */
+static void a_unit_is_as_large_as_all_its_nodes(void** state) {
+    (void)state;
+    scene* s = open_scene();
+    add_box(s, "", (const float[]){0, 0, 0}, (const float[]){1, 1, 1});
+    add_box(s, "", (const float[]){1, 0, 0}, (const float[]){2, 1, 1});
+    add_box(s, "", (const float[]){2, 0, 0}, (const float[]){3, 1, 1});
+    s->nodes[0].given_body = s->nodes[2].given_body = 1;
+    assert_int_equal(group(s), DM_OK);
+    const uint32_t of_part[] = {UINT32_MAX, 0, 1, 0};
+    dmi_node_cells cells;
+    assert_int_equal(dmi_node_cells_make(&s->arena, s->mesh, of_part, 2, NULL, &cells), DM_OK);
+    assert_true(fabsf(cells.high_of[0][0] - cells.low_of[0][0] - 1) < 1e-6f);
+    assert_true(fabsf(cells.area[0] - 2 * cells.area[1]) < 1e-5f);
+    for (uint32_t i = 0; i < cells.first[2]; i++) {
+        const int32_t x = (int32_t)cells.cells[i] % cells.size[0];
+        assert_true(x > 0 && x < cells.size[0] - 1);
+    }
+    close_scene(s);
+}
+
 static void fixed_nodes_go_with_what_is_above(void** state) {
     (void)state;
     scene* s = open_scene();
@@ -260,11 +281,11 @@ static void failing_memory_leaves_nothing(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nodes_of_a_door_are_one_body),    cmocka_unit_test(a_single_node_stays),
-        cmocka_unit_test(given_nodes_are_one_body),        cmocka_unit_test(fixed_nodes_go_with_what_is_above),
-        cmocka_unit_test(a_group_is_of_the_body_below_it), cmocka_unit_test(a_part_on_a_part_is_carried_by_it),
-        cmocka_unit_test(panels_hang_on_each_other),       cmocka_unit_test(the_order_of_faces_does_not_count),
-        cmocka_unit_test(failing_memory_leaves_nothing),
+        cmocka_unit_test(nodes_of_a_door_are_one_body),      cmocka_unit_test(a_single_node_stays),
+        cmocka_unit_test(given_nodes_are_one_body),          cmocka_unit_test(a_unit_is_as_large_as_all_its_nodes),
+        cmocka_unit_test(fixed_nodes_go_with_what_is_above), cmocka_unit_test(a_group_is_of_the_body_below_it),
+        cmocka_unit_test(a_part_on_a_part_is_carried_by_it), cmocka_unit_test(panels_hang_on_each_other),
+        cmocka_unit_test(the_order_of_faces_does_not_count), cmocka_unit_test(failing_memory_leaves_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
