@@ -201,7 +201,7 @@ bool platform_start_child(char* const* arguments, platform_child* out_child) {
 }
 
 int platform_wait_child(const platform_child* children, int count, int* out_status) {
-    HANDLE handles[MAXIMUM_WAIT_OBJECTS];
+    HANDLE handles[MAXIMUM_WAIT_OBJECTS] = {NULL};
     const DWORD waited = count < MAXIMUM_WAIT_OBJECTS ? (DWORD)count : MAXIMUM_WAIT_OBJECTS;
     for (DWORD i = 0; i < waited; i++) handles[i] = (HANDLE)children[i].process;
     const DWORD ended = WaitForMultipleObjects(waited, handles, FALSE, INFINITE) - WAIT_OBJECT_0;
