@@ -71,7 +71,7 @@ def _rigged(asset: Asset, gltf: Gltf) -> List[Dict[str, Any]]:
             entry["pitch"] = joint.pitch
         if part.duration > 0:
             entry["duration"] = part.duration
-        found.append({**entry, "triangles": part.triangle_count})
+        found.append({**entry, "triangle_count": part.triangle_count})
     return found
 
 
