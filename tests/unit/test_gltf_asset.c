@@ -2,8 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "test_glb.h"
-#include "test_gltf.h"
+#include "test_gltf_nodes.h"
 
 static const float triangle[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
@@ -12,54 +11,26 @@ static const float triangle[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     "\"byteLength\":36}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"     \
     "\"meshes\":[{\"name\":\"board\",\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
 
-typedef struct opened {
-    test_env t;
-    dm_gltf* gltf;
-    const dm_asset_node* nodes;
-    uint32_t count;
-} opened;
-
-static void open_file(opened* o, const char* json, const void* bytes, size_t size) {
-    const test_glb glb = test_glb_pack(json, bytes, size);
-    *o = (opened){.count = 0};
-    test_env_open(&o->t, TEST_NEVER);
-    o->gltf = test_gltf_open(&o->t, glb.data, glb.size);
-    free(glb.data);
-    assert_int_equal(dm_gltf_get_asset(o->gltf, 0, &o->nodes, &o->count), DM_OK);
-}
-
-static void close_file(opened* o) {
-    dm_gltf_close(o->gltf);
-    test_env_close(&o->t);
-}
-
-/* Returns the place of a node in the list. */
-static uint32_t find(const opened* o, const char* name) {
-    for (uint32_t i = 0; i < o->count; i++)
-        if (o->nodes[i].name && strcmp(o->nodes[i].name, name) == 0) return i;
-    fail_msg("no node '%s'", name);
-    return 0;
-}
-
-static const dm_asset_node* node_of(const opened* o, const char* name) {
-    return &o->nodes[find(o, name)];
+static const dm_asset_node* node_of(const test_gltf_nodes* o, const char* name) {
+    return &o->nodes[test_gltf_nodes_find(o, name)];
 }
 
 static void groups_stand_above_what_they_hold(void** state) {
     (void)state;
-    opened o;
+    test_gltf_nodes o;
     uint32_t file_node;
-    open_file(&o,
-              HEAD "\"nodes\":[{\"name\":\"root\",\"children\":[1,4],\"translation\":[0,0,2]},"
-                   "{\"name\":\"door\",\"children\":[2,3]},{\"name\":\"wood\",\"mesh\":0,\"translation\":[5,0,0]},"
-                   "{\"mesh\":0},{\"name\":\"lamp\"},{\"name\":\"alone\",\"mesh\":0}]}",
-              triangle, sizeof triangle);
+    test_gltf_nodes_open(
+        &o,
+        HEAD "\"nodes\":[{\"name\":\"root\",\"children\":[1,4],\"translation\":[0,0,2]},"
+             "{\"name\":\"door\",\"children\":[2,3]},{\"name\":\"wood\",\"mesh\":0,\"translation\":[5,0,0]},"
+             "{\"mesh\":0},{\"name\":\"lamp\"},{\"name\":\"alone\",\"mesh\":0}]}",
+        triangle, sizeof triangle);
     assert_int_equal(o.count, 5); /* not the lamp, which carries nothing */
     assert_string_equal(o.nodes[0].name, "wood");
     assert_null(o.nodes[1].name);
     assert_string_equal(o.nodes[2].name, "alone");
     assert_string_equal(o.nodes[1].mesh_name, "board");
-    const uint32_t door = find(&o, "door"), root = find(&o, "root");
+    const uint32_t door = test_gltf_nodes_find(&o, "door"), root = test_gltf_nodes_find(&o, "root");
     assert_int_equal(o.nodes[0].parent, door);
     assert_int_equal(o.nodes[1].parent, door);
     assert_int_equal(o.nodes[2].parent, DM_ASSET_NO_NODE);
@@ -72,14 +43,14 @@ static void groups_stand_above_what_they_hold(void** state) {
     assert_int_equal(dm_gltf_get_asset_node(o.gltf, door, &file_node), DM_OK);
     assert_int_equal(file_node, 1);
     assert_int_equal(dm_gltf_get_asset_node(o.gltf, 5, &file_node), DM_ERROR_NOT_FOUND);
-    close_file(&o);
+    test_gltf_nodes_close(&o);
 }
 
 static void meshes_are_those_of_the_merged_mesh(void** state) {
     (void)state;
-    opened o;
-    open_file(&o, HEAD "\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"translation\":[5,0,0],\"scale\":[-1,1,1]}]}", triangle,
-              sizeof triangle);
+    test_gltf_nodes o;
+    test_gltf_nodes_open(&o, HEAD "\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"translation\":[5,0,0],\"scale\":[-1,1,1]}]}",
+                         triangle, sizeof triangle);
     for (uint32_t i = 0; i < 2; i++) {
         const dm_mesh_desc* mesh = o.nodes[i].mesh;
         assert_int_equal(mesh->struct_size, sizeof *mesh);
@@ -90,15 +61,15 @@ static void meshes_are_those_of_the_merged_mesh(void** state) {
         assert_int_equal(indices[1], 1);
     }
     assert_true(((const float*)o.nodes[1].mesh->positions)[3] == 4);
-    close_file(&o);
+    test_gltf_nodes_close(&o);
 }
 
 static void lost_pivots_are_said(void** state) {
     (void)state;
-    opened o;
-    open_file(&o, HEAD "\"nodes\":[{\"mesh\":0},{\"mesh\":0}]}", triangle, sizeof triangle);
+    test_gltf_nodes o;
+    test_gltf_nodes_open(&o, HEAD "\"nodes\":[{\"mesh\":0},{\"mesh\":0}]}", triangle, sizeof triangle);
     for (uint32_t i = 0; i < 2; i++) assert_int_equal(o.nodes[i].flags, DM_ASSET_NODE_NO_PIVOT);
-    close_file(&o);
+    test_gltf_nodes_close(&o);
 }
 
 static void what_is_no_body_follows(void** state) {
@@ -123,28 +94,29 @@ static void what_is_no_body_follows(void** state) {
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char json[2048];
-        opened o;
+        test_gltf_nodes o;
         snprintf(json, sizeof json, HEAD "\"nodes\":[%s]}", cases[i].nodes);
-        open_file(&o, json, triangle, sizeof triangle);
+        test_gltf_nodes_open(&o, json, triangle, sizeof triangle);
         const dm_asset_node* who = node_of(&o, cases[i].who);
         assert_int_equal(who->flags & DM_ASSET_NODE_FOLLOWS, DM_ASSET_NODE_FOLLOWS);
         assert_null(who->mesh);
-        assert_int_equal(who->follows, cases[i].whom ? find(&o, cases[i].whom) : DM_ASSET_NO_NODE);
-        close_file(&o);
+        assert_int_equal(who->follows, cases[i].whom ? test_gltf_nodes_find(&o, cases[i].whom) : DM_ASSET_NO_NODE);
+        test_gltf_nodes_close(&o);
     }
 }
 
 /* A level that the scene does not list comes with the finest one; what no scene has does not come. */
 static void the_scene_decides(void** state) {
     (void)state;
-    opened o;
-    open_file(&o,
-              HEAD "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":\"high\",\"mesh\":0,\"extensions\":{\"MSFT_lod\":"
-                   "{\"ids\":[1]}}}," NAMED("low") "," NAMED("elsewhere") "]}",
-              triangle, sizeof triangle);
+    test_gltf_nodes o;
+    test_gltf_nodes_open(
+        &o,
+        HEAD "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":\"high\",\"mesh\":0,\"extensions\":{\"MSFT_lod\":"
+             "{\"ids\":[1]}}}," NAMED("low") "," NAMED("elsewhere") "]}",
+        triangle, sizeof triangle);
     assert_int_equal(o.count, 2);
     assert_int_equal(node_of(&o, "low")->follows, 0);
-    close_file(&o);
+    test_gltf_nodes_close(&o);
 }
 
 /* Two triangles of two bones, one with a corner of the other bone. */
@@ -158,8 +130,8 @@ static void bones_bring_the_vertices_of_their_triangles(void** state) {
              .weights = {{1}, {1}, {1}, {1}, {1}},
              .joints = {{0}, {0}, {0}, {1}, {1}},
              .indices = {0, 1, 2, 1, 3, 4}};
-    opened o;
-    open_file(
+    test_gltf_nodes o;
+    test_gltf_nodes_open(
         &o,
         "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":172}],\"bufferViews\":["
         "{\"buffer\":0,\"byteLength\":60},{\"buffer\":0,\"byteOffset\":60,\"byteLength\":80},"
@@ -174,7 +146,7 @@ static void bones_bring_the_vertices_of_their_triangles(void** state) {
         &bin, sizeof bin);
     assert_int_equal(o.count, 2);
     const dm_asset_node *base = node_of(&o, "base"), *lid = node_of(&o, "lid");
-    assert_int_equal(lid->parent, find(&o, "base"));
+    assert_int_equal(lid->parent, test_gltf_nodes_find(&o, "base"));
     assert_string_equal(lid->mesh_name, "chest");
     assert_int_equal(base->mesh->vertex_count, 3);
     assert_int_equal(lid->mesh->vertex_count, 3);
@@ -182,7 +154,7 @@ static void bones_bring_the_vertices_of_their_triangles(void** state) {
     const float* positions = lid->mesh->positions;
     static const float want[3] = {1, 2, 2};
     for (int c = 0; c < 3; c++) assert_true(positions[3 * corners[c]] == want[c]);
-    close_file(&o);
+    test_gltf_nodes_close(&o);
 }
 
 /* An export moves what follows a part along with it. */
@@ -193,15 +165,15 @@ static void followers_go_along(void** state) {
     const uint8_t ids[2] = {0, 1};
     const dm_gltf_track track = {.face_ids = ids, .value = 1, .poses = poses, .times = times, .key_count = 2};
     static const char* const followers[] = {"door_LOD1", "UCX_door_LOD0"};
-    opened o, again;
+    test_gltf_nodes o, again;
     void* data;
     size_t size;
-    open_file(&o,
-              HEAD "\"nodes\":[" NAMED("body") "," NAMED("door_LOD0") "," NAMED("door_LOD1") "," NAMED(
-                  "UCX_door_LOD0") "," NAMED("UCX_body") "]}",
-              triangle, sizeof triangle);
+    test_gltf_nodes_open(&o,
+                         HEAD "\"nodes\":[" NAMED("body") "," NAMED("door_LOD0") "," NAMED("door_LOD1") "," NAMED(
+                             "UCX_door_LOD0") "," NAMED("UCX_body") "]}",
+                         triangle, sizeof triangle);
     assert_int_equal(dm_gltf_export(o.gltf, &track, 1, &data, &size), DM_OK);
-    again = (opened){.count = 0};
+    again = (test_gltf_nodes){.count = 0};
     test_env_open(&again.t, TEST_NEVER);
     again.gltf = test_gltf_open(&again.t, data, size);
     assert_int_equal(dm_gltf_get_asset(again.gltf, 0, &again.nodes, &again.count), DM_OK);
@@ -210,21 +182,21 @@ static void followers_go_along(void** state) {
     for (size_t i = 0; i < 2; i++) {
         const dm_asset_node* follower = node_of(&again, followers[i]);
         assert_int_equal(follower->parent, door->parent);
-        assert_int_equal(follower->follows, find(&again, "door_LOD0"));
+        assert_int_equal(follower->follows, test_gltf_nodes_find(&again, "door_LOD0"));
     }
     assert_int_equal(node_of(&again, "UCX_body")->parent, DM_ASSET_NO_NODE);
     assert_int_equal(node_of(&again, "moving_part")->clip_count, 1);
-    close_file(&again);
+    test_gltf_nodes_close(&again);
     dm_gltf_release_bytes(o.gltf, data, size);
-    close_file(&o);
+    test_gltf_nodes_close(&o);
 }
 
 static void arguments_are_checked(void** state) {
     (void)state;
-    opened o;
+    test_gltf_nodes o;
     const dm_asset_node* again;
     uint32_t count;
-    open_file(&o, HEAD "\"nodes\":[{\"mesh\":0}]}", triangle, sizeof triangle);
+    test_gltf_nodes_open(&o, HEAD "\"nodes\":[{\"mesh\":0}]}", triangle, sizeof triangle);
     assert_int_equal(dm_gltf_get_asset(o.gltf, 0, &again, &count), DM_OK);
     assert_ptr_equal(again, o.nodes); /* the same list, however often it is asked for */
     assert_int_equal(dm_gltf_get_asset(o.gltf, 1, &again, &count), DM_ERROR_INVALID_ARGUMENT);
@@ -233,7 +205,7 @@ static void arguments_are_checked(void** state) {
     assert_int_equal(dm_gltf_get_asset(o.gltf, 0, &again, NULL), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dm_gltf_get_asset_node(o.gltf, 0, NULL), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dm_gltf_get_asset_node(NULL, 0, &count), DM_ERROR_INVALID_ARGUMENT);
-    close_file(&o);
+    test_gltf_nodes_close(&o);
 }
 
 /* Each allocation may fail: the file stays usable. */

@@ -3,8 +3,7 @@
 #include <stdio.h>
 
 #include "assets/clip_joint.h"
-#include "test_glb.h"
-#include "test_gltf.h"
+#include "test_gltf_nodes.h"
 
 #define QUARTER 0.70710678f
 
@@ -37,32 +36,12 @@ enum { TRIANGLE, TIMES, TURN, WAY, SPLINE, GROWTH, FALLING };
     "{\"name\":\"open\",\"channels\":[" channels "],\"samplers\":[{\"input\":" #input ",\"output\":" #output rest "}]" \
     "}"
 
-typedef struct opened {
-    test_env t;
-    dm_gltf* gltf;
-    const dm_asset_node* nodes;
-    uint32_t count;
-} opened;
-
-static void open_file(opened* o, const char* json, const bin* from) {
-    const test_glb glb = test_glb_pack(json, from, sizeof *from);
-    *o = (opened){.count = 0};
-    test_env_open(&o->t, TEST_NEVER);
-    o->gltf = test_gltf_open(&o->t, glb.data, glb.size);
-    free(glb.data);
-    assert_int_equal(dm_gltf_get_asset(o->gltf, 0, &o->nodes, &o->count), DM_OK);
+static void open_file(test_gltf_nodes* o, const char* json, const bin* from) {
+    test_gltf_nodes_open(o, json, from, sizeof *from);
 }
 
-static void close_file(opened* o) {
-    dm_gltf_close(o->gltf);
-    test_env_close(&o->t);
-}
-
-static const dm_asset_node* node_of(const opened* o, const char* name) {
-    for (uint32_t i = 0; i < o->count; i++)
-        if (o->nodes[i].name && strcmp(o->nodes[i].name, name) == 0) return &o->nodes[i];
-    fail_msg("no node '%s'", name);
-    return NULL;
+static const dm_asset_node* node_of(const test_gltf_nodes* o, const char* name) {
+    return &o->nodes[test_gltf_nodes_find(o, name)];
 }
 
 static void expect_near(float got, double want, const char* what) {
@@ -106,7 +85,7 @@ static void keys_of_each_kind(void** state) {
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char json[4096];
-        opened o;
+        test_gltf_nodes o;
         snprintf(json, sizeof json,
                  HEAD "\"animations\":[%s],\"nodes\":[{\"name\":\"body\",\"mesh\":0},{\"name\":\"door\",\"mesh\":0,"
                       "\"translation\":[2,0,0]}]}",
@@ -119,14 +98,14 @@ static void keys_of_each_kind(void** state) {
         assert_int_equal(node_of(&o, "body")->clip_count, 0);
         const double at[3] = {2, 0, 0};
         expect_joint(door, cases[i].type, cases[i].axis, at, cases[i].upper);
-        close_file(&o);
+        test_gltf_nodes_close(&o);
     }
 }
 
 /* A spline that leaves its place and comes back between two keys: t (1 - t)^2 of 3 x 1.5 s, at most at 1/3. */
 static void splines_bend_between_keys(void** state) {
     (void)state;
-    opened o;
+    test_gltf_nodes o;
     open_file(
         &o,
         HEAD "\"animations\":[" ANIMATION(CHANNEL(0, "translation"), 1, 4,
@@ -140,7 +119,7 @@ static void splines_bend_between_keys(void** state) {
         expect_near(clip->times[k], 0.5 + 1.5 * t, "time");
         expect_near(2 * clip->poses[k].dual[2], 4.5 * t * (1 - t) * (1 - t), "way");
     }
-    close_file(&o);
+    test_gltf_nodes_close(&o);
 }
 
 /* Frames above: turned, scaled, mirrored, moved far; a node given as a matrix. */
@@ -157,7 +136,7 @@ static void frames_above_carry_the_joint(void** state) {
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char json[4096];
-        opened o;
+        test_gltf_nodes o;
         snprintf(json, sizeof json,
                  HEAD "\"animations\":[" ANIMATION(
                      CHANNEL(1, "rotation"), 1, 2,
@@ -167,13 +146,13 @@ static void frames_above_carry_the_joint(void** state) {
         const dm_asset_node* door = node_of(&o, "door");
         assert_int_equal(door->clips->flags, 0);
         expect_joint(door, DM_JOINT_REVOLUTE, cases[i].axis, cases[i].origin, cases[i].upper);
-        close_file(&o);
+        test_gltf_nodes_close(&o);
     }
 }
 
 static void far_files_have_their_own_origin(void** state) {
     (void)state;
-    opened o;
+    test_gltf_nodes o;
     double origin[3];
     open_file(&o,
               HEAD "\"animations\":[" ANIMATION(
@@ -184,13 +163,13 @@ static void far_files_have_their_own_origin(void** state) {
     assert_true(origin[0] > 80000);
     const double at[3] = {90000 - origin[0], 0 - origin[1], 0 - origin[2]}, axis[3] = {0, 1, 0};
     expect_joint(node_of(&o, "door"), DM_JOINT_REVOLUTE, axis, at, 1.5707963);
-    close_file(&o);
+    test_gltf_nodes_close(&o);
 }
 
 /* A drawer in a door that turns: it slides along the door's own z, and the handle on it says nothing. */
 static void what_is_carried_moves_against_its_carrier(void** state) {
     (void)state;
-    opened o;
+    test_gltf_nodes o;
     open_file(&o,
               HEAD "\"animations\":[" ANIMATION(CHANNEL(0, "rotation"), 1, 2, "") "," ANIMATION(
                   CHANNEL(1, "translation"), 1, 3,
@@ -202,7 +181,7 @@ static void what_is_carried_moves_against_its_carrier(void** state) {
     expect_joint(node_of(&o, "door"), DM_JOINT_REVOLUTE, up, zero, 1.5707963);
     expect_joint(node_of(&o, "drawer"), DM_JOINT_PRISMATIC, out, NULL, 0.5);
     assert_int_equal(node_of(&o, "handle")->clip_count, 0);
-    close_file(&o);
+    test_gltf_nodes_close(&o);
 }
 
 /* A bone has the triangles of its skin, which move as it does. */
@@ -227,7 +206,7 @@ static void bones_have_clips_too(void** state) {
                                                          "") "],\"nodes\":[{\"mesh\":0,\"skin\":0},"
                                                              "{\"name\":\"bone\",\"translation\":[2,0,0]}]}",
         &skinned, sizeof skinned);
-    opened o = {.count = 0};
+    test_gltf_nodes o = {.count = 0};
     test_env_open(&o.t, TEST_NEVER);
     o.gltf = test_gltf_open(&o.t, glb.data, glb.size);
     free(glb.data);
@@ -235,19 +214,19 @@ static void bones_have_clips_too(void** state) {
     const double up[3] = {0, 1, 0}, at[3] = {2, 0, 0};
     expect_joint(node_of(&o, "bone"), DM_JOINT_REVOLUTE, up, at, 1.5707963);
     assert_non_null(node_of(&o, "bone")->mesh);
-    close_file(&o);
+    test_gltf_nodes_close(&o);
 }
 
 static void what_grows_is_not_rigid(void** state) {
     (void)state;
-    opened o;
+    test_gltf_nodes o;
     open_file(&o,
               HEAD "\"animations\":[" ANIMATION(CHANNEL(0, "scale"), 1, 5,
                                                 "") "],\"nodes\":[{\"name\":\"door\",\"mesh\":0}]}",
               &usual);
     assert_int_equal(node_of(&o, "door")->clip_count, 1);
     assert_int_equal(node_of(&o, "door")->clips->flags, DM_CLIP_NOT_RIGID);
-    close_file(&o);
+    test_gltf_nodes_close(&o);
 }
 
 static void what_can_not_be_read_is_left_out(void** state) {
@@ -268,20 +247,20 @@ static void what_can_not_be_read_is_left_out(void** state) {
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char json[4096];
-        opened o;
+        test_gltf_nodes o;
         snprintf(json, sizeof json, HEAD "\"animations\":[%s],\"nodes\":[{\"name\":\"door\",\"mesh\":0}]}",
                  cases[i].animation);
         open_file(&o, json, &usual);
         assert_int_equal(node_of(&o, "door")->clip_count, cases[i].says && !cases[i].says[0]);
         if (cases[i].says && !strstr(o.t.messages.text, cases[i].says))
             fail_msg("'%s' lacks '%s'", o.t.messages.text, cases[i].says);
-        close_file(&o);
+        test_gltf_nodes_close(&o);
     }
 }
 
 static void several_animations_are_several_clips(void** state) {
     (void)state;
-    opened o;
+    test_gltf_nodes o;
     open_file(&o,
               HEAD "\"animations\":[" ANIMATION(CHANNEL(0, "rotation"), 1, 2, "") "," ANIMATION(
                   CHANNEL(0, "translation"), 1, 3,
@@ -291,7 +270,7 @@ static void several_animations_are_several_clips(void** state) {
     const dm_asset_node* door = node_of(&o, "door");
     assert_int_equal(door->clip_count, 3);
     assert_memory_equal(door->clips[0].poses, door->clips[2].poses, 2 * sizeof(dm_pose));
-    close_file(&o);
+    test_gltf_nodes_close(&o);
 }
 
 int main(void) {

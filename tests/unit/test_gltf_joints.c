@@ -2,8 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "test_glb.h"
-#include "test_gltf.h"
+#include "test_gltf_nodes.h"
 
 static const float triangle[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
@@ -12,32 +11,12 @@ static const float triangle[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     "\"byteLength\":36}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"     \
     "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
 
-typedef struct opened {
-    test_env t;
-    dm_gltf* gltf;
-    const dm_asset_node* nodes;
-    uint32_t count;
-} opened;
-
-static void open_file(opened* o, const char* json) {
-    const test_glb glb = test_glb_pack(json, triangle, sizeof triangle);
-    *o = (opened){.count = 0};
-    test_env_open(&o->t, TEST_NEVER);
-    o->gltf = test_gltf_open(&o->t, glb.data, glb.size);
-    free(glb.data);
-    assert_int_equal(dm_gltf_get_asset(o->gltf, 0, &o->nodes, &o->count), DM_OK);
+static void open_file(test_gltf_nodes* o, const char* json) {
+    test_gltf_nodes_open(o, json, triangle, sizeof triangle);
 }
 
-static void close_file(opened* o) {
-    dm_gltf_close(o->gltf);
-    test_env_close(&o->t);
-}
-
-static const dm_joint* joint_of(const opened* o, const char* name) {
-    for (uint32_t i = 0; i < o->count; i++)
-        if (o->nodes[i].name && strcmp(o->nodes[i].name, name) == 0) return o->nodes[i].joint;
-    fail_msg("no node '%s'", name);
-    return NULL;
+static const dm_joint* joint_of(const test_gltf_nodes* o, const char* name) {
+    return o->nodes[test_gltf_nodes_find(o, name)].joint;
 }
 
 /* What is expected of a joint. */
@@ -114,14 +93,14 @@ static void extras_are_in_the_nodes_frame(void** state) {
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char json[2048];
-        opened o;
+        test_gltf_nodes o;
         snprintf(json, sizeof json, HEAD "\"nodes\":[{\"mesh\":0},{\"name\":\"door\",\"mesh\":0,%s,\"extras\":{%s}}]}",
                  cases[i].node, cases[i].extras);
         open_file(&o, json);
         assert_null(o.nodes[0].joint);
         expect_joint(joint_of(&o, "door"), &cases[i].want);
         assert_int_equal(o.t.messages.count, 0);
-        close_file(&o);
+        test_gltf_nodes_close(&o);
     }
 }
 
@@ -135,20 +114,20 @@ static void extras_that_can_not_be_read_are_said(void** state) {
                                          "{\"dragmesh_joint\":{\"type\":\"revolute\"," AXIS ",\"upper\":1e300}}"};
     static const char* const others[] = {"{\"dragmesh_joint\":7}", "[]", "\"dragmesh\"", "{\"type\":\"revolute\"}"};
     char json[2048];
-    opened o;
+    test_gltf_nodes o;
     for (size_t i = 0; i < sizeof extras / sizeof *extras; i++) {
         snprintf(json, sizeof json, HEAD "\"nodes\":[{\"name\":\"door\",\"mesh\":0,\"extras\":%s}]}", extras[i]);
         open_file(&o, json);
         assert_null(joint_of(&o, "door"));
         assert_non_null(strstr(o.t.messages.text, "glTF node 0 'door': the joint of its extras can't be read"));
-        close_file(&o);
+        test_gltf_nodes_close(&o);
     }
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
         snprintf(json, sizeof json, HEAD "\"nodes\":[{\"name\":\"door\",\"mesh\":0,\"extras\":%s}]}", others[i]);
         open_file(&o, json);
         assert_null(joint_of(&o, "door"));
         assert_int_equal(o.t.messages.count, 0);
-        close_file(&o);
+        test_gltf_nodes_close(&o);
     }
 }
 
@@ -193,12 +172,12 @@ static void physics_joints_of_one_axis(void** state) {
         {PHYSICS(LOCK_PLACE "," LOCK_TURN, "", "", JOINT(2)), {DM_JOINT_FIXED, {1, 0, 0}, {2, 0, 0}, 0, 0, 0}},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        opened o;
+        test_gltf_nodes o;
         open_file(&o, cases[i].json);
         if (o.t.messages.count > 0) fail_msg("case %zu: %s", i, o.t.messages.text);
         expect_joint(joint_of(&o, "door"), &cases[i].want);
         assert_null(joint_of(&o, "cabinet"));
-        close_file(&o);
+        test_gltf_nodes_close(&o);
     }
 }
 
@@ -214,12 +193,12 @@ static void other_physics_joints_are_said(void** state) {
         PHYSICS(TURN, "", "", JOINT(0)),                                                        /* of one body */
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        opened o;
+        test_gltf_nodes o;
         open_file(&o, cases[i]);
         if (joint_of(&o, "door")) fail_msg("case %zu has a joint", i);
         if (!strstr(o.t.messages.text, "its physics joint has not one axis alone; left out"))
             fail_msg("case %zu: '%s'", i, o.t.messages.text);
-        close_file(&o);
+        test_gltf_nodes_close(&o);
     }
 }
 
