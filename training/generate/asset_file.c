@@ -46,19 +46,6 @@ static cJSON* part_json(const dmg_asset* asset, uint32_t part) {
     return out;
 }
 
-static float largest_dimension(const dmg_object* object) {
-    float largest = 0.0f;
-    for (uint32_t k = 0; k < 3; ++k) {
-        float low = HUGE_VALF, high = -HUGE_VALF;
-        for (uint32_t v = 0; v < object->vertex_count; ++v) {
-            low = fminf(low, object->positions[3 * v + k]);
-            high = fmaxf(high, object->positions[3 * v + k]);
-        }
-        largest = fmaxf(largest, high - low);
-    }
-    return largest;
-}
-
 static void add_labels(cJSON* root, const dmg_asset* asset) {
     cJSON *nodes = cJSON_AddObjectToObject(root, "nodes"), *loose = cJSON_AddArrayToObject(root, "loose");
     for (uint32_t i = 0; i < asset->node_count; ++i) {
@@ -85,7 +72,7 @@ char* asset_json(const dmg_asset* asset, uint64_t seed, uint32_t flags) {
     cJSON_AddStringToObject(root, "family", asset->object.category);
     cJSON_AddStringToObject(root, "up", flags & DMG_MESSY ? "unknown" : "y");
     cJSON_AddStringToObject(root, "units", "m");
-    cJSON_AddNumberToObject(root, "largest_dimension", (double)largest_dimension(&asset->object));
+    cJSON_AddNumberToObject(root, "largest_dimension", (double)dmg_object_size(&asset->object));
     cJSON_AddStringToObject(root, "set", asset->object.joint_count == 0 ? "static" : "objects");
     cJSON_AddBoolToObject(root, "complete", 1);
     add_labels(root, asset);

@@ -157,19 +157,6 @@ static cJSON* numbers(const float* values, int count) {
     return array;
 }
 
-static float largest_dimension(const dmg_object* object) {
-    float largest = 0.0f;
-    for (uint32_t k = 0; k < 3; ++k) {
-        float low = HUGE_VALF, high = -HUGE_VALF;
-        for (uint32_t v = 0; v < object->vertex_count; ++v) {
-            low = fminf(low, object->positions[3 * v + k]);
-            high = fmaxf(high, object->positions[3 * v + k]);
-        }
-        largest = fmaxf(largest, high - low);
-    }
-    return largest;
-}
-
 /* Three exact drags, a tenth of the object long. */
 static void add_drags(cJSON* out, const dmg_object* object, uint32_t part, uint64_t seed, float size) {
     cJSON* drags = cJSON_AddArrayToObject(out, "drags");
@@ -218,7 +205,7 @@ static cJSON* joint_json(const dmg_object* object, uint32_t index, uint64_t seed
 
 static char* object_json(const dmg_object* object, const options* options) {
     char name[96];
-    float size = largest_dimension(object);
+    float size = dmg_object_size(object);
     snprintf(name, sizeof name, "%s_%llu%s", object->category, (unsigned long long)options->seed,
              options->flags & DMG_MESSY ? "_messy" : "");
     cJSON* root = cJSON_CreateObject();

@@ -171,7 +171,7 @@ static bool moves_with(const dmg_object* object, uint32_t part, uint32_t carrier
     return part == carrier;
 }
 
-static float object_size(const dmg_object* object) {
+float dmg_object_size(const dmg_object* object) {
     float size = 0.0f;
     for (int k = 0; k < 3; ++k) {
         float low = 1e30f, high = -1e30f;
@@ -248,7 +248,7 @@ void dmg_drag(const dmg_object* object, uint32_t part, float noise_degrees, uint
     float off = fabsf(dmg_normal(&b)) * noise_degrees * DMG_PI / 180.0f, round = dmg_range(&b, 0, 2.0f * DMG_PI);
     dmg_vec sideways = v3_add(v3_scale(u, cosf(round)), v3_scale(w, sinf(round)));
     direction = v3_add(v3_scale(direction, cosf(off)), v3_scale(sideways, sinf(off)));
-    float length = object_size(object) * dmg_scale_range(&b, 0.02f, 0.5f);
+    float length = dmg_object_size(object) * dmg_scale_range(&b, 0.02f, 0.5f);
     memcpy(out_point, &p, sizeof p);
     direction = v3_scale(direction, length);
     memcpy(out_vector, &direction, sizeof direction);

@@ -65,6 +65,8 @@ int32_t dmg_split(uint32_t category, uint64_t seed);
  * dmg_object_release. */
 int dmg_make(uint32_t category, uint64_t seed, uint32_t flags, dmg_object* out_object);
 void dmg_object_release(dmg_object* object);
+/* Returns the largest side of the object's box. */
+float dmg_object_size(const dmg_object* object);
 
 /* Draws a drag on part `part` (1 ..): a point on its surface (for turning joints at least 0.3 of the farthest distance
  * from the axis), and the direction in which the point starts to move, `noise_degrees` x |N(0, 1)| off, with a length

@@ -42,20 +42,6 @@ static float face_distance(const dmg_object* object, uint32_t face, const float 
     return sqrtf(square);
 }
 
-/* Returns the largest side of the object's box. */
-static float object_size(const dmg_object* object) {
-    float size = 0.0f;
-    for (int i = 0; i < 3; i++) {
-        float low = object->positions[i], high = low;
-        for (uint32_t v = 1; v < object->vertex_count; v++) {
-            low = fminf(low, object->positions[3 * v + i]);
-            high = fmaxf(high, object->positions[3 * v + i]);
-        }
-        size = fmaxf(size, high - low);
-    }
-    return size;
-}
-
 /* Gives the faces of `from` within `radius` of `point` to `to`, unless they are more than `most` of area. */
 static void move_patch(dmg_object* object, uint32_t from, uint32_t to, const float point[3], float radius, float most) {
     float area = 0.0f;
@@ -74,7 +60,7 @@ void lab_augment_mask(dmi_random* random, dmg_object* object, uint32_t part) {
             area += face_area(object, f);
             count++;
         }
-    const float size = object_size(object);
+    const float size = dmg_object_size(object);
     const int patches = 1 + (int)lab_random_uniform(random, 0.0f, 3.0f);
     for (int i = 0; i < patches; i++) {
         /* Both kinds of error are centred on the part: segmentation fails at borders and on small hardware. */

@@ -38,13 +38,6 @@ static bool is_shifted(const dmg_asset* asset, const listing* list, uint32_t a, 
     return true;
 }
 
-static float object_size(const dmg_object* object) {
-    dmg_bounds box = dmg_bounds_none();
-    for (uint32_t v = 0; v < object->vertex_count; ++v)
-        dmg_bounds_grow(&box, v3_from(object->positions + 3 * (size_t)v));
-    return dmg_largest_side(&box);
-}
-
 /* Moves the node's pivot to where that of the mesh's first node is. */
 static void align(dmg_asset* asset, const listing* list, uint32_t node) {
     const uint32_t first = asset->nodes[node].mesh;
@@ -56,7 +49,7 @@ static void align(dmg_asset* asset, const listing* list, uint32_t node) {
 int dmg_share_meshes(dmg_asset* asset) {
     listing list = {0};
     const int failed = list_faces(asset, &list);
-    const float tolerance = 2e-6f * object_size(&asset->object);
+    const float tolerance = 2e-6f * dmg_object_size(&asset->object);
     for (uint32_t i = 1; !failed && i < asset->node_count; ++i) {
         uint32_t other = 0;
         if (asset->nodes[i].face_count == 0) continue;

@@ -118,19 +118,6 @@ static float deepest(const dmg_object* o, uint32_t part, const sample* moving, c
     return depth;
 }
 
-static float object_size(const dmg_object* o) {
-    float size = 0.0f;
-    for (uint32_t k = 0; k < 3; ++k) {
-        float low = FLT_MAX, high = -FLT_MAX;
-        for (uint32_t v = 0; v < o->vertex_count; ++v) {
-            low = fminf(low, o->positions[3 * (size_t)v + k]);
-            high = fmaxf(high, o->positions[3 * (size_t)v + k]);
-        }
-        size = fmaxf(size, high - low);
-    }
-    return size;
-}
-
 /* Returns the joint's value at a stop of its range. */
 static float stop_value(const dmg_joint* joint, int stop) {
     float share = (float)stop / (STOPS - 1);
@@ -146,7 +133,7 @@ int dmg_check(const dmg_object* object, uint32_t part, dmg_finding* out) {
     if (!samples) return 1;
     take_sample(object, part, true, &samples[0]);
     take_sample(object, part, false, &samples[1]);
-    const float size = out->size = object_size(object);
+    const float size = out->size = dmg_object_size(object);
     const dmg_frame rest = dmg_frame_identity();
     const float near = part_gap(object, part, &samples[0], &samples[1], &rest, &rest);
     const float sunk = deepest(object, part, &samples[0], &rest);
