@@ -7,8 +7,6 @@
 #include "assets/body_hints.h"
 #include "assets/node_order.h"
 #include "kinematics/object/part_selection.h"
-#include "math/linear3.h"
-#include "math/vec3.h"
 
 #define BLOCK ((size_t)1 << 16) /* bytes, of the arena; by hand */
 #define MESH_DONE 0.05f         /* progress reported when the mesh of the nodes is measured; by hand */
@@ -49,18 +47,13 @@ static dm_result order_nodes(making* work) {
     return dmi_fail(work->env, DM_ERROR_INTERNAL, "dm_asset_create: parents form a circle");
 }
 
-static dmi_asset_node describe_node(const making* work, const dm_asset_node* given, bool pivots_are_lost) {
-    dmi_asset_node node = {.name = given->name != NULL ? given->name : "",
-                           .mesh_name = given->mesh_name != NULL ? given->mesh_name : "",
-                           .parent = given->parent,
-                           .follows = (given->flags & DM_ASSET_NODE_FOLLOWS) != 0,
-                           .is_fixed = given->joint != NULL && given->joint->type == DM_JOINT_FIXED,
-                           .given_body = DMI_ASSET_BODY};
-    dm_pivot pivot;
-    if (pivots_are_lost || !dmi_asset_node_pivot(given, &pivot)) return node;
-    dmi_frame_point_in(&work->mesh->frame, dmi_xyz_f64(pivot.origin).v, node.pivot);
-    node.has_pivot = true;
-    return node;
+static dmi_asset_node describe_node(const dm_asset_node* given) {
+    return (dmi_asset_node){.name = given->name != NULL ? given->name : "",
+                            .mesh_name = given->mesh_name != NULL ? given->mesh_name : "",
+                            .parent = given->parent,
+                            .follows = (given->flags & DM_ASSET_NODE_FOLLOWS) != 0,
+                            .is_fixed = given->joint != NULL && given->joint->type == DM_JOINT_FIXED,
+                            .given_body = DMI_ASSET_BODY};
 }
 
 /* Numbers the parts that the file states: a node without a joint of its own is of the part above it. */
@@ -79,11 +72,10 @@ static void number_given_parts(making* work) {
 static dm_result describe_nodes(making* work) {
     const dmi_asset_desc* desc = work->desc;
     const uint32_t count = desc->node_count;
-    const bool lost = dmi_asset_pivots_are_lost(desc->nodes, count);
     work->nodes = dmi_arena_push(&work->arena, count * sizeof *work->nodes);
     work->given = dmi_arena_push(&work->arena, count * sizeof *work->given);
     if (work->nodes == NULL || work->given == NULL) return out_of_memory(work->env, count);
-    for (uint32_t i = 0; i < count; i++) work->nodes[i] = describe_node(work, &desc->nodes[i], lost);
+    for (uint32_t i = 0; i < count; i++) work->nodes[i] = describe_node(&desc->nodes[i]);
     dmi_asset_read_given(desc->nodes, count, desc->use_clips, &work->mesh->frame, work->given, &work->warnings);
     number_given_parts(work);
     work->query = (dmi_asset_query){.mesh = work->mesh,
@@ -92,12 +84,7 @@ static dm_result describe_nodes(making* work) {
                                     .node_count = count,
                                     .use_names = desc->use_names,
                                     .min_moves = desc->min_moves,
-                                    .up = {0, 1, 0},
                                     .arena = &work->arena};
-    const dmi_float3 up = dmi_xyz(desc->labels.up);
-    float direction[3];
-    dmi_frame_direction_in(&work->mesh->frame, up.v, direction);
-    if (dmi_normalize3(direction) > 0) dmi_copy3(direction, work->query.up);
     return DM_OK;
 }
 
@@ -245,9 +232,7 @@ static void fill_part(const making* work, uint32_t index, dmi_asset_part* out) {
     const dmi_asset_given* given = given_of(work, index);
     const bool stays = given == NULL && body->moves < work->desc->min_moves;
     *out = (dmi_asset_part){.carrier = body->carrier,
-                            .state = stays           ? DM_ASSET_STAYS
-                                     : body->is_free ? DM_ASSET_FREE
-                                                     : DM_ASSET_MOVES,
+                            .state = stays ? DM_ASSET_STAYS : DM_ASSET_MOVES,
                             .moves = given != NULL ? 1 : body->moves};
     if (given == NULL) return;
     out->given = *given;

@@ -25,9 +25,9 @@ bool dmi_shapes_are_alike(const float low_a[3], const float high_a[3], float are
 /* Computes a box's sides, longest first. */
 void dmi_sorted_extents(const float low[3], const float high[3], float out[3]);
 
-/* Returns how many cells a node has. */
+/* Returns the same as dmi_cell_count, for features. */
 static inline float dmi_cells_of(const dmi_node_cells* grid, uint32_t node) {
-    return (float)(grid->first[node + 1] - grid->first[node]);
+    return (float)dmi_cell_count(grid, node);
 }
 
 #endif

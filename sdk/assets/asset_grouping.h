@@ -18,8 +18,6 @@ typedef struct dmi_asset_node {
     uint32_t parent;              /* or DMI_ASSET_BODY */
     bool follows;                 /* neither part nor body; it has no faces in the mesh */
     bool is_fixed;                /* for certain of one body with its parent */
-    bool has_pivot;
-    float pivot[3];      /* object-normalised */
     uint32_t given_body; /* nodes with the same number, other than DMI_ASSET_BODY, are one part that moves, for certain:
                             clips or joints of the file say so */
 } dmi_asset_node;
@@ -31,7 +29,6 @@ typedef struct dmi_asset_query {
     uint32_t node_count;
     bool use_names;
     const dmi_asset_models* models; /* NULL: by rules */
-    float up[3];                    /* unit, object-normalised */
     float min_moves;                /* bodies whose probability is below are not listed, unless they are given */
     const dmi_progress* progress;
     dmi_arena* arena; /* of the answers too */
@@ -40,7 +37,6 @@ typedef struct dmi_asset_query {
 typedef struct dmi_asset_body {
     uint32_t carrier; /* index of the body that carries it, or DMI_ASSET_BODY */
     float moves;      /* probability that it moves against its carrier */
-    bool is_free;     /* it can be taken away */
 } dmi_asset_body;
 
 typedef struct dmi_asset_bodies {

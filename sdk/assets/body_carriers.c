@@ -37,7 +37,7 @@ static dm_result find_touching(dmi_arena* arena, const dmi_node_cells* g, const 
     for (uint32_t unit = 0; unit < g->node_count; unit++) {
         const uint32_t b = body_of_unit[unit];
         if (b == DMI_ASSET_BODY) continue;
-        out->cells[b] += g->first[unit + 1] - g->first[unit];
+        out->cells[b] += dmi_cell_count(g, unit);
         for (uint32_t other = 0; other < g->node_count; other++) {
             const uint32_t body = body_of_unit[other];
             if (body == b) continue;

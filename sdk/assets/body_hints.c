@@ -26,7 +26,9 @@ bool dmi_asset_node_pivot(const dm_asset_node* node, dm_pivot* out_pivot) {
     return true;
 }
 
-bool dmi_asset_pivots_are_lost(const dm_asset_node* nodes, uint32_t count) {
+/* Returns whether the origins of all nodes with meshes are one point, as exporters leave them that have applied the
+ * transforms. */
+static bool pivots_are_lost(const dm_asset_node* nodes, uint32_t count) {
     dm_pivot first, other;
     uint32_t seen = 0;
     for (uint32_t i = 0; i < count; i++) {
@@ -125,7 +127,7 @@ static const char* make_label(const dmi_asset_query* query, uint32_t node) {
 
 dm_result dmi_asset_describe_bodies(dmi_env* env, const dmi_asset_query* query, const dm_asset_node* nodes,
                                     const dmi_asset_bodies* bodies, dm_part_desc* out_parts) {
-    const bool lost = dmi_asset_pivots_are_lost(nodes, query->node_count);
+    const bool lost = pivots_are_lost(nodes, query->node_count);
     body_nodes found;
     dm_pivot* pivots = dmi_arena_push(query->arena, bodies->count * sizeof *pivots);
     dm_result result = find_nodes(env, query, bodies, &found);

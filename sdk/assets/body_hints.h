@@ -11,8 +11,5 @@ dm_result dmi_asset_describe_bodies(dmi_env* env, const dmi_asset_query* query, 
 
 /* Returns whether a node has an origin and axes that may say something, and writes them. */
 bool dmi_asset_node_pivot(const dm_asset_node* node, dm_pivot* out_pivot);
-/* Returns whether the origins of all nodes with meshes are one point, as exporters leave them that have applied the
- * transforms. */
-bool dmi_asset_pivots_are_lost(const dm_asset_node* nodes, uint32_t count);
 
 #endif

@@ -15,10 +15,6 @@ typedef struct groups {
     uint32_t count, largest;
 } groups;
 
-static uint32_t cells_of(const dmi_node_cells* g, uint32_t unit) {
-    return g->first[unit + 1] - g->first[unit];
-}
-
 /* Spreads group `group` from a unit to all that it touches, through units that stay. */
 static void spread(const dmi_node_cells* g, const uint32_t* body_of_unit, uint32_t unit, uint32_t group, groups* out) {
     uint32_t depth = 0;
@@ -26,7 +22,7 @@ static void spread(const dmi_node_cells* g, const uint32_t* body_of_unit, uint32
     out->of_unit[unit] = group;
     while (depth > 0) {
         const uint32_t at = out->stack[--depth];
-        out->cells[group] += cells_of(g, at);
+        out->cells[group] += dmi_cell_count(g, at);
         for (uint32_t n = 0; n < g->node_count; n++) {
             if (body_of_unit[n] != NONE || out->of_unit[n] != NONE) continue;
             if (g->contacts[(size_t)at * g->node_count + n] == 0) continue;
@@ -75,7 +71,7 @@ dm_result dmi_attach_loose_units(dmi_arena* arena, const dmi_node_cells* grid, u
     uint32_t *touched = scratch, *cells = scratch + body_count;
     memset(cells, 0, body_count * sizeof *cells);
     for (uint32_t u = 0; u < grid->node_count; u++)
-        if (inout_body_of_unit[u] != NONE) cells[inout_body_of_unit[u]] += cells_of(grid, u);
+        if (inout_body_of_unit[u] != NONE) cells[inout_body_of_unit[u]] += dmi_cell_count(grid, u);
     for (uint32_t group = 0; group < all.count; group++) {
         if (group == all.largest) continue;
         const uint32_t body = find_body(grid, &all, group, body_count, inout_body_of_unit, touched);

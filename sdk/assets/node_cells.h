@@ -33,6 +33,11 @@ typedef struct dmi_node_cells {
 dm_result dmi_node_cells_make(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* node_of_part, uint32_t node_count,
                               const dmi_progress* progress, dmi_node_cells* out);
 
+/* Returns how many cells a node has. */
+static inline uint32_t dmi_cell_count(const dmi_node_cells* g, uint32_t node) {
+    return g->first[node + 1] - g->first[node];
+}
+
 /* Returns the index of the cell that holds the point; the point is clamped to the grid. */
 static inline uint32_t dmi_cell_at(const dmi_node_cells* g, const float point[3]) {
     int32_t index = 0;

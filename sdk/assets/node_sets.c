@@ -54,7 +54,7 @@ dm_result dmi_node_set_make(dmi_arena* arena, const dmi_node_cells* grid, const 
     for (int k = 0; k < 3; k++) out->low[k] = INFINITY, out->high[k] = -INFINITY;
     for (uint32_t n = 0; n < count; n++) {
         out->member[nodes[n]] = 1;
-        out->cell_count += grid->first[nodes[n] + 1] - grid->first[nodes[n]];
+        out->cell_count += dmi_cell_count(grid, nodes[n]);
         out->area += grid->area[nodes[n]];
         for (int k = 0; k < 3; k++) {
             out->low[k] = dmi_fminf(out->low[k], grid->low_of[nodes[n]][k]);
