@@ -210,7 +210,7 @@ export const AssetWarning: {
     readonly CLIP_LEFT_OUT: 1;
 };
 
-/** Whether a part moves. */
+/** Whether a part moves. This version lists parts that move alone; the other answers are for later ones. */
 export const AssetState: {
     /** it might move, but probably does not */
     readonly STAYS: 0;

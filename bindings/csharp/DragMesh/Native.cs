@@ -958,7 +958,7 @@ namespace DragMesh
         /// <summary>optional evidence: names of the whole asset, as dm_object_desc.label</summary>
         public byte* Label;
         public uint NodeCount;
-        /// <summary>parts of at least this probability move, and are parts of the object; 0 = 0.5</summary>
+        /// <summary>parts of at least this probability are listed, and are the object's; 0 = 0.5</summary>
         public float MinMoves;
         /// <summary>weights; 0 = geometry alone</summary>
         public ulong Model;

@@ -919,7 +919,7 @@ pub struct dm_asset_desc {
     /// optional evidence: names of the whole asset, as dm\_object\_desc.label
     pub label: *const c_char,
     pub node_count: u32,
-    /// parts of at least this probability move, and are parts of the object; 0 = 0.5
+    /// parts of at least this probability are listed, and are the object's; 0 = 0.5
     pub min_moves: f32,
     /// weights; 0 = geometry alone
     pub model: dm_model,
