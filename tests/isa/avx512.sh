@@ -17,7 +17,7 @@ compile() { # SOURCE
 export -f compile
 export cc flags out
 rm -f "$out"/obj/*.o "$out/libcore.a"
-printf '%s\n' sdk/{base,math,mesh,pick,nn,segmentation,kinematics/*,motion}/*.c plugin_api/src/*.c third_party/cjson/cJSON.c build/embed/*.c | xargs -P "$(nproc)" -I{} bash -c 'compile {}'
+{ find sdk plugin_api/src build/embed -name '*.c' | sort; echo third_party/cjson/cJSON.c; } | xargs -P "$(nproc)" -I{} bash -c 'compile {}'
 ar rcs "$out/libcore.a" "$out"/obj/*.o
 for source in tests/isa/cpu_*.c tests/abi/caller.c; do compile "$source"; done
 for test in test_gemm test_layers test_dual_quat test_golden_kpp test_golden_vae; do
