@@ -448,6 +448,23 @@ static void test_a_broken_view_stays_broken(void** state) {
     }
 }
 
+/* Without tracks it is the file again, as a .glb without animations. */
+static void test_no_track(void** state) {
+    (void)state;
+    setup s;
+    set_up(&s, "\"nodes\":[{\"mesh\":0}]}", 1, 0);
+    void* data;
+    size_t size;
+    assert_int_equal(dm_gltf_export(s.gltf, NULL, 0, &data, &size), DM_OK);
+    dm_gltf* again = test_gltf_open(&s.t, data, size);
+    dm_mesh_desc mesh;
+    assert_int_equal(dm_gltf_get_mesh(again, &mesh), DM_OK);
+    assert_int_equal(dm_gltf_node_count(again), dm_gltf_node_count(s.gltf));
+    assert_null(memmem(data, size, "animations", strlen("animations")));
+    dm_gltf_close(again);
+    tear_down(&s, data, size);
+}
+
 static void test_bad_tracks(void** state) {
     (void)state;
     setup s;
@@ -457,7 +474,7 @@ static void test_bad_tracks(void** state) {
     dm_gltf_track track = track_of(&s);
     assert_int_equal(dm_gltf_export(s.gltf, &track, 1, &data, &size), DM_ERROR_EMPTY_MASK);
     s.ids[0] = 1;
-    assert_int_equal(dm_gltf_export(s.gltf, &track, 0, &data, &size), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_gltf_export(s.gltf, NULL, 1, &data, &size), DM_ERROR_INVALID_ARGUMENT);
     track.key_count = 0;
     assert_int_equal(dm_gltf_export(s.gltf, &track, 1, &data, &size), DM_ERROR_INVALID_ARGUMENT);
     track = track_of(&s);
@@ -538,6 +555,7 @@ int main(void) {
         cmocka_unit_test(test_tracks_of_a_door_and_its_lever),
         cmocka_unit_test(test_a_skinned_part_keeps_its_shading),
         cmocka_unit_test(test_a_broken_view_stays_broken),
+        cmocka_unit_test(test_no_track),
         cmocka_unit_test(test_bad_tracks),
         cmocka_unit_test(test_numbers_of_tracks),
         cmocka_unit_test(test_failing_allocator),

@@ -294,7 +294,7 @@ static void add_track(exporter* x, cJSON* animation, uint32_t track) {
 
 static dm_result run(exporter* x, void** out_data, size_t* out_size) {
     dmi_edit* e = &x->edit;
-    cJSON* animation = dmi_animation_add(e, "dragmesh");
+    cJSON* animation = x->track_count > 0 ? dmi_animation_add(e, "dragmesh") : NULL;
     const int32_t first = (int32_t)e->counts[DMI_GLTF_NODES];
     dmi_edit_tell(e, OPENED, DMI_PROGRESS_STEP);
     for (uint32_t t = 0; t < x->track_count; t++) add_track(x, animation, t);
@@ -344,8 +344,8 @@ dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint3
     if (!gltf) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env env;
     dmi_env_init(&env, &gltf->env.allocator, &gltf->env.log, NULL);
-    if (!tracks || track_count == 0 || !out_data || !out_size)
-        return dmi_fail(&env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_export: no track, or no place for the result");
+    if ((!tracks && track_count > 0) || !out_data || !out_size)
+        return dmi_fail(&env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_export: no tracks, or no place for the result");
     for (uint32_t t = 0; t < track_count; t++) {
         const dm_result result = check_track(&env, &tracks[t], t);
         if (result != DM_OK) return result;

@@ -159,7 +159,8 @@ typedef struct dm_gltf_track {
 } dm_gltf_track;
 
 /* Writes a .glb: the file's meshes and materials, with the tracks' faces split off into nodes of their own that a
- * looping animation moves. out_data is released with dm_gltf_release_bytes. */
+ * looping animation moves. Without tracks it adds no animation. The file's own animations stay as they are, and go on
+ * moving the nodes that they name. out_data is released with dm_gltf_release_bytes. */
 DM_API dm_result DM_CALL dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint32_t track_count,
                                         void** out_data, size_t* out_size);
 DM_API void DM_CALL dm_gltf_release_bytes(const dm_gltf* gltf, void* data, size_t size);
