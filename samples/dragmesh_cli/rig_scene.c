@@ -1,4 +1,5 @@
-/* The file again, with an animation of its parts, and their joints in `extras`. */
+/* The file again, with an animation of its parts, and their joints in `extras`. What a clip of the file moves, with all
+ * that it carries, is left to that clip: both together would move it twice. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,8 +7,9 @@
 #include "json.h"
 #include "rig.h"
 
-enum { KEYS = 41, NAME = 80 };           /* key frames there and back; bytes of a part's name; by hand */
-enum { VALUES = 255 };                   /* part ids that one array of bytes tells apart */
+enum { KEYS = 41, NAME = 80 }; /* key frames there and back; bytes of a part's name; by hand */
+enum { VALUES = 255 };         /* part ids that one array of bytes tells apart */
+#define NO_TRACK UINT32_MAX
 enum { GLB_HEADER = 12, GLB_CHUNK = 8 }; /* bytes: glTF 2.0, chapter 4 */
 static const float seconds_open = 2;     /* duration of the opening, s; by hand */
 
@@ -29,15 +31,26 @@ static void name_track(const rig* rig, uint32_t index, char out[NAME]) {
     dm_gltf_mend_text(out);
 }
 
-/* Marks the faces of track k by a value that is its own in its array. */
+/* Whether the file's own clip moves a part, or what carries it. */
+static bool is_left_to_clip(const rig* rig, uint32_t index) {
+    for (; index != DM_ASSET_NO_PART; index = rig->parts[index].part.parent)
+        if (rig->parts[index].part.basis == DM_ASSET_FROM_CLIP) return true;
+    return false;
+}
+
+static bool has_track(const rig* rig, uint32_t index) {
+    return rig->parts[index].part.part_id != 0 && !is_left_to_clip(rig, index);
+}
+
+/* Marks the faces of track k by a value that is its own in its array. track_of: NO_TRACK: the part has none. */
 static void mark_faces(const session* session, const uint32_t* face_part, const uint32_t* track_of, tracks* out) {
     const uint64_t faces = session->mesh.index_count / 3;
     out->arrays = (out->count + VALUES - 1) / VALUES;
     out->face_ids = cli_alloc(out->arrays * sizeof *out->face_ids);
     for (uint32_t i = 0; i < out->arrays; i++) out->face_ids[i] = cli_alloc_zeroed(faces);
     for (uint64_t face = 0; face < faces; face++) {
-        if (face_part[face] == 0) continue;
         const uint32_t track = track_of[face_part[face]];
+        if (track == NO_TRACK) continue;
         out->face_ids[track / VALUES][face] = (uint8_t)(track % VALUES + 1);
     }
 }
@@ -50,24 +63,23 @@ static dm_result fill_poses(const rig* rig, const uint32_t* track_of, tracks* ou
         out->times[key] = seconds_open * way;
         result = rig_pose(rig, way <= 1 ? way : 2 - way, now);
         for (uint32_t i = 0; i < rig->info.part_count; i++)
-            if (rig->parts[i].part.part_id != 0) out->poses[(size_t)track_of[i + 1] * KEYS + key] = now[i + 1];
+            if (track_of[i + 1] != NO_TRACK) out->poses[(size_t)track_of[i + 1] * KEYS + key] = now[i + 1];
     }
     free(now);
     return result;
 }
 
 static dm_result make_tracks(const session* session, const rig* rig, tracks* out) {
-    *out = (tracks){.count = rig->info.moving_count};
-    uint32_t* track_of = cli_alloc_zeroed((rig->info.part_count + 1) * sizeof *track_of); /* by part id */
+    *out = (tracks){.count = 0};
+    uint32_t* track_of = cli_alloc((rig->info.part_count + 1) * sizeof *track_of); /* by part id */
     uint32_t* face_part = rig_face_parts(session, rig);
+    track_of[0] = NO_TRACK;
+    for (uint32_t i = 0; i < rig->info.part_count; i++) track_of[i + 1] = has_track(rig, i) ? out->count++ : NO_TRACK;
     out->list = cli_alloc_zeroed(out->count * sizeof *out->list);
     out->names = cli_alloc(out->count * sizeof *out->names);
     out->poses = cli_alloc((size_t)out->count * KEYS * sizeof *out->poses);
-    for (uint32_t i = 0, next = 0; i < rig->info.part_count; i++)
-        if (rig->parts[i].part.part_id != 0) {
-            name_track(rig, i, out->names[next]);
-            track_of[i + 1] = next++;
-        }
+    for (uint32_t i = 0; i < rig->info.part_count; i++)
+        if (track_of[i + 1] != NO_TRACK) name_track(rig, i, out->names[track_of[i + 1]]);
     mark_faces(session, face_part, track_of, out);
     const dm_result result = fill_poses(rig, track_of, out);
     for (uint32_t t = 0; t < out->count; t++)
@@ -112,12 +124,28 @@ static void add_joint(const session* session, const rig_part* part, cJSON* node)
     json_add_number(joint, "moves", (double)part->part.moves, 4);
 }
 
+/* Returns the node of a part that its file's clip moves; of one that goes along with such a part, its first. */
+static uint32_t node_of_clip(const session* session, const rig* rig, const rig_part* part) {
+    uint32_t number = 0, first = 0;
+    while (first + 1 < part->part.node_count && rig->nodes[part->nodes[first]].clip_count == 0) first++;
+    if (rig->nodes[part->nodes[first]].clip_count == 0) first = 0;
+    dm_gltf_get_asset_node(session->gltf, part->nodes[first], &number);
+    return number;
+}
+
+/* The nodes of the file keep their indices; those of the tracks are found by their names. */
 static void add_joints(const session* session, const rig* rig, const tracks* tracks, cJSON* document) {
-    cJSON* node;
-    cJSON_ArrayForEach(node, cJSON_GetObjectItemCaseSensitive(document, "nodes")) {
+    cJSON *nodes = cJSON_GetObjectItemCaseSensitive(document, "nodes"), *node;
+    for (uint32_t i = 0; i < rig->info.part_count; i++) {
+        const rig_part* part = &rig->parts[i];
+        if (part->part.part_id == 0 || !is_left_to_clip(rig, i)) continue;
+        node = cJSON_GetArrayItem(nodes, (int)node_of_clip(session, rig, part));
+        if (node != NULL) add_joint(session, part, node);
+    }
+    cJSON_ArrayForEach(node, nodes) {
         const char* name = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(node, "name"));
         for (uint32_t i = 0, t = 0; name != NULL && i < rig->info.part_count; i++) {
-            if (rig->parts[i].part.part_id == 0) continue;
+            if (!has_track(rig, i)) continue;
             if (strcmp(name, tracks->names[t++]) == 0) add_joint(session, &rig->parts[i], node);
         }
     }

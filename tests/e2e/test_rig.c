@@ -90,6 +90,75 @@ static void test_the_scene_states_its_joints(void** state) {
     cJSON_Delete(after);
 }
 
+/* Returns the document of a .glb in the folder. To be deleted. */
+static cJSON* read_document(const char* name) {
+    enum { HEADER = 20 }; /* bytes before the document's text; four before its kind stands its length */
+    char path[PATH];
+    size_t size;
+    uint32_t length;
+    in_folder(path, name);
+    char* bytes = tool_read(path, &size);
+    assert_true(size > HEADER);
+    memcpy(&length, bytes + HEADER - 8, sizeof length);
+    cJSON* document = cJSON_ParseWithLength(bytes + HEADER, length);
+    assert_non_null(document);
+    free(bytes);
+    return document;
+}
+
+static const cJSON* node_named(const cJSON* document, const char* name, int* out_index) {
+    const cJSON* node;
+    *out_index = 0;
+    cJSON_ArrayForEach(node, cJSON_GetObjectItem(document, "nodes")) {
+        const char* own = cJSON_GetStringValue(cJSON_GetObjectItem(node, "name"));
+        if (own != NULL && strcmp(own, name) == 0) return node;
+        ++*out_index;
+    }
+    return NULL;
+}
+
+/* Whether an animation moves a node that carries `target`, or `target` itself. */
+static bool moves(const cJSON* document, const cJSON* animation, int target) {
+    const cJSON *channel, *child, *nodes = cJSON_GetObjectItem(document, "nodes");
+    for (bool found = true; found;) {
+        cJSON_ArrayForEach(channel, cJSON_GetObjectItem(animation, "channels")) {
+            if (cJSON_GetObjectItem(cJSON_GetObjectItem(channel, "target"), "node")->valueint == target) return true;
+        }
+        found = false;
+        for (int i = 0; i < cJSON_GetArraySize(nodes) && !found; i++)
+            cJSON_ArrayForEach(child, cJSON_GetObjectItem(cJSON_GetArrayItem(nodes, i), "children")) {
+                if (child->valueint != target) continue;
+                target = i, found = true;
+                break;
+            }
+    }
+    return false;
+}
+
+/* A door that the file's own clip opens is left to that clip; its node says how it moves. */
+static void test_a_clip_of_the_file_stays_its_own(void** state) {
+    (void)state;
+    int door;
+    tool_run(&out, "dragmesh", NULL,
+             "animate|samples/cabinet.glb|--moving|door_left|--models|sdk/models|-o|%s/clip.glb", folder);
+    if (out.status != 0) fail_msg("%s", out.errors);
+    tool_run(&out, "dragmesh", NULL, "rig|%s/clip.glb|--models|sdk/models|--min-moves|0.01|-o|%s/clip", folder, folder);
+    if (out.status != 0) fail_msg("%s", out.errors);
+    cJSON *rig = read_answer("clip/rig.json"), *document = read_document("clip/rigged.glb");
+    const cJSON *part = part_with(rig, "door_left"), *animations = cJSON_GetObjectItem(document, "animations"), *clip;
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItem(part, "basis")), "clip");
+    assert_non_null(node_named(document, "door_left", &door));
+    assert_int_equal(cJSON_GetArraySize(animations), 2);
+    int movers = 0;
+    cJSON_ArrayForEach(clip, animations) movers += moves(document, clip, door);
+    assert_int_equal(movers, 1);
+    const cJSON* node = node_named(document, "dragmesh_part", &door); /* that the clip moves */
+    const cJSON* joint = cJSON_GetObjectItem(cJSON_GetObjectItem(node, "extras"), "dragmesh");
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItem(joint, "type")), "revolute");
+    cJSON_Delete(rig);
+    cJSON_Delete(document);
+}
+
 static void copy_cabinet(const char* name) {
     char path[PATH];
     size_t size;
@@ -201,9 +270,13 @@ static int remove_folder(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_one_file),    cmocka_unit_test(test_the_scene_states_its_joints),
-        cmocka_unit_test(test_a_folder),    cmocka_unit_test(test_workers_change_nothing),
-        cmocka_unit_test(test_first_touch), cmocka_unit_test(test_bad_arguments),
+        cmocka_unit_test(test_one_file),
+        cmocka_unit_test(test_the_scene_states_its_joints),
+        cmocka_unit_test(test_a_clip_of_the_file_stays_its_own),
+        cmocka_unit_test(test_a_folder),
+        cmocka_unit_test(test_workers_change_nothing),
+        cmocka_unit_test(test_first_touch),
+        cmocka_unit_test(test_bad_arguments),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }
