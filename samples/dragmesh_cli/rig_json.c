@@ -22,6 +22,16 @@ static cJSON* nodes_to_json(const session* session, const rig* rig, const rig_pa
     return out;
 }
 
+/* The joint as those who know turns and slides alone read it. What they lack is in `dragmesh_joint`. */
+static void plain_joint_to_json(const session* session, const dm_joint* joint, cJSON* out) {
+    const bool is_plain = joint->type != DM_JOINT_SCREW && joint->type != DM_JOINT_CONTINUOUS;
+    joint_to_json(joint, session->origin, out);
+    if (is_plain) return;
+    cJSON_SetValuestring(cJSON_GetObjectItemCaseSensitive(out, "type"), joint_type_name(DM_JOINT_REVOLUTE));
+    cJSON_DeleteItemFromObjectCaseSensitive(out, "pitch");
+    joint_to_json(joint, session->origin, cJSON_AddObjectToObject(out, "dragmesh_joint"));
+}
+
 static cJSON* part_to_json(const session* session, const rig* rig, const rig_part* part) {
     static const char* const states[] = {
         [DM_ASSET_STAYS] = "stays", [DM_ASSET_MOVES] = "moves", [DM_ASSET_FREE] = "free"};
@@ -34,7 +44,7 @@ static cJSON* part_to_json(const session* session, const rig* rig, const rig_par
     cJSON_AddStringToObject(out, "state", states[part->part.state]);
     json_add_number(out, "moves", (double)part->part.moves, 4);
     cJSON_AddStringToObject(out, "basis", bases[part->part.basis]);
-    joint_to_json(&part->joint, session->origin, out);
+    plain_joint_to_json(session, &part->joint, out);
     if (part->part.duration > 0) json_add_number(out, "duration", (double)part->part.duration, 9);
     cJSON_AddNumberToObject(out, "triangle_count", part->part.triangle_count);
     return out;

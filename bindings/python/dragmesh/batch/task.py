@@ -2,7 +2,7 @@
 import json
 import os
 import time
-from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 from .. import native as n
 from ..assets import prepare_gltf
@@ -54,21 +54,27 @@ def _prepare(path: str) -> Tuple[List[Dict[str, Any]], bytes]:
         return _describe(prepared, gltf.nodes()), prepared.save()
 
 
+def _plain(joint: n.Joint, origin: Sequence[float]) -> Dict[str, Any]:
+    """A joint as rig.json has it: a turn or a slide; what these lack is in dragmesh_joint."""
+    name, limited = JointType(joint.type).name.lower(), joint.type != JointType.CONTINUOUS
+    entry = {"type": name, "type_confidence": joint.type_confidence, "confidence": joint.joint_confidence,
+             "axis": list(joint.axis), "origin": [float(a + b) for a, b in zip(joint.origin, origin)],
+             "lower": joint.lower if limited else None, "upper": joint.upper if limited else None}
+    if joint.type not in (JointType.SCREW, JointType.CONTINUOUS):
+        return entry
+    exact = {**entry, "pitch": joint.pitch} if joint.type == JointType.SCREW else dict(entry)
+    return {**entry, "type": "revolute", "dragmesh_joint": exact}
+
+
 def _rigged(asset: Asset, gltf: Gltf) -> List[Dict[str, Any]]:
     """The parts as rig.json of `dragmesh rig` has them."""
     nodes, origin, found = gltf.asset_nodes(), gltf.origin(), []
     for index, part in enumerate(asset.parts()):
         joint, own = asset.joint(index), asset.part_nodes(index)
-        limited = joint.type != JointType.CONTINUOUS
         entry = {"nodes": [nodes[node][0] for node in own], "node_indices": [nodes[node][1] for node in own],
                  "parent": -1 if part.parent == n.DM_ASSET_NO_PART else part.parent,
                  "state": ("stays", "moves", "free")[part.state], "moves": part.moves,
-                 "basis": ("inferred", "file", "clip")[part.basis], "type": JointType(joint.type).name.lower(),
-                 "type_confidence": joint.type_confidence, "confidence": joint.joint_confidence, "axis": list(joint.axis),
-                 "origin": [float(a + b) for a, b in zip(joint.origin, origin)],
-                 "lower": joint.lower if limited else None, "upper": joint.upper if limited else None}
-        if joint.type == JointType.SCREW:
-            entry["pitch"] = joint.pitch
+                 "basis": ("inferred", "file", "clip")[part.basis], **_plain(joint, origin)}
         if part.duration > 0:
             entry["duration"] = part.duration
         found.append({**entry, "triangle_count": part.triangle_count})
