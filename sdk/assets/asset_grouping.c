@@ -7,6 +7,7 @@
 #include "assets/body_carriers.h"
 #include "assets/loose_units.h"
 #include "assets/set_ratings.h"
+#include "assets/staying_bodies.h"
 #include "math/elementary.h"
 
 /* Probability of a set that is answered as one half. Bodies that are found and those that are missed weigh alike (F1),
@@ -109,8 +110,9 @@ static void list_bodies(const choice* c, dmi_asset_bodies* out, uint32_t* body_o
     }
 }
 
+/* out_moves: the probability of each set. */
 static dm_result choose_bodies(const dmi_asset_query* q, const dmi_asset_units* u, const dmi_merge_tree* tree,
-                               dmi_asset_bodies* out, uint32_t* body_of_unit) {
+                               dmi_asset_bodies* out, uint32_t* body_of_unit, const float** out_moves) {
     choice c = {.tree = tree};
     c.moves = dmi_arena_push(q->arena, (tree->set_count + 1) * sizeof *c.moves);
     c.worth = dmi_arena_push(q->arena, (tree->set_count + 1) * sizeof *c.worth);
@@ -122,6 +124,7 @@ static dm_result choose_bodies(const dmi_asset_query* q, const dmi_asset_units* 
     compare_sets(&c, q->min_moves);
     memset(body_of_unit, NOTHING, u->count * sizeof *body_of_unit);
     list_bodies(&c, out, body_of_unit);
+    *out_moves = c.moves;
     return DM_OK;
 }
 
@@ -157,15 +160,17 @@ static dm_result find_bodies(const dmi_asset_query* q, const dmi_asset_units* u,
     dmi_node_labels labels;
     dmi_node_cells cells;
     dmi_merge_tree tree;
+    const float* moves = NULL;
     dm_result result =
         dmi_node_labels_make(q->arena, q->nodes, q->node_count, u->node, u->count, q->use_names, &labels);
     const dmi_progress filling = dmi_progress_piece(q->progress, 0, CELLS_DONE);
     const dmi_progress merging = dmi_progress_piece(q->progress, CELLS_DONE, PAIRS_DONE);
     if (result == DM_OK) result = dmi_node_cells_make(q->arena, q->mesh, u->of_part, u->count, &filling, &cells);
     if (result == DM_OK) result = dmi_merge_tree_make(q->arena, &cells, &labels, q->models, &merging, &tree);
-    if (result == DM_OK) result = choose_bodies(q, u, &tree, out, body_of_unit);
+    if (result == DM_OK) result = choose_bodies(q, u, &tree, out, body_of_unit, &moves);
     if (result == DM_OK) result = dmi_attach_loose_units(q->arena, &cells, out->count, body_of_unit);
     if (result == DM_OK) result = dmi_asset_find_carriers(q, u, &cells, body_of_unit, out);
+    if (result == DM_OK) result = dmi_list_staying_bodies(q->arena, &tree, moves, out, body_of_unit);
     return result == DM_OK ? spread_to_nodes(q, u, body_of_unit, out) : result;
 }
 

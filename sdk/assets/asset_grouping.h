@@ -29,7 +29,7 @@ typedef struct dmi_asset_query {
     uint32_t node_count;
     bool use_names;
     const dmi_asset_models* models; /* NULL: by rules */
-    float min_moves;                /* bodies whose probability is below are not listed, unless they are given */
+    float min_moves;                /* bodies whose probability is below stay, unless they are given */
     const dmi_progress* progress;
     dmi_arena* arena; /* of the answers too */
 } dmi_asset_query;
@@ -40,7 +40,7 @@ typedef struct dmi_asset_body {
 } dmi_asset_body;
 
 typedef struct dmi_asset_bodies {
-    dmi_asset_body* bodies; /* those that may move */
+    dmi_asset_body* bodies; /* those that move, then those that might */
     uint32_t count;
     uint32_t* body_of_node; /* one a node; DMI_ASSET_BODY: it stays */
 } dmi_asset_bodies;

@@ -291,6 +291,11 @@ static void test_the_object_has_no_parts_that_stay(void** state) {
     const dm_asset still = create(t);
     dm_object object = 0;
     assert_int_equal(info_of(t, still).moving_count, 0);
+    const dm_asset_part stays = part_of(t, still, part_with(t, still, DOOR));
+    assert_int_equal(stays.state, DM_ASSET_STAYS);
+    assert_int_equal(stays.part_id, 0);
+    assert_true(stays.moves > 0 && stays.moves < 1);
+    assert_int_equal(joint_of(t, still, part_with(t, still, DOOR)).type, DM_JOINT_REVOLUTE);
     assert_int_equal(dm_asset_make_object(t->w.context, still, &object), DM_ERROR_EMPTY_MASK);
     assert_int_equal(object, 0);
     t->nodes[DOOR].joint = &stated;

@@ -534,7 +534,7 @@ typedef struct dm_asset_desc {
     const dm_asset_node* nodes;
     const char* label; /* optional evidence: names of the whole asset, as dm_object_desc.label */
     uint32_t node_count;
-    float min_moves;               /* parts of at least this probability are listed, and are the object's; 0 = 0.5 */
+    float min_moves;               /* parts of at least this probability move, and are the object's; 0 = 0.5 */
     dm_model model;                /* weights; 0 = geometry alone */
     uint64_t seed;                 /* as dm_object_desc.seed */
     dm_progress_callback progress; /* NULL = that of the context */
@@ -558,11 +558,13 @@ typedef struct dm_asset_info {
     uint32_t warnings;       /* DM_ASSET_CLIP_LEFT_OUT */
 } dm_asset_info;
 
-/* Whether a part moves. This version lists parts that move alone; the other answers are for later ones. */
+/* Whether a part moves. */
 enum {
-    DM_ASSET_STAYS = 0, /* it might move, but probably does not */
+    DM_ASSET_STAYS = 0, /* it might move, but probably does not: `moves` is below dm_asset_desc.min_moves. Bodies that
+                           almost certainly stay are no parts */
     DM_ASSET_MOVES = 1, /* by its joint */
-    DM_ASSET_FREE = 2   /* it can be taken away; its joint is how it comes off */
+    DM_ASSET_FREE = 2   /* nothing but its weight holds it, as the lid of a teapot: a player can take it away. Its joint
+                           is the slide by which it comes off, with a low confidence */
 };
 
 /* Where a part's joint comes from. */
