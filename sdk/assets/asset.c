@@ -5,6 +5,8 @@
 
 #include "assets/asset_weights.h"
 #include "assets/body_hints.h"
+#include "assets/free_bodies.h"
+#include "assets/node_labels.h"
 #include "assets/node_order.h"
 #include "kinematics/object/part_selection.h"
 
@@ -123,8 +125,8 @@ static dm_result find_bodies(making* work) {
 
 /* ---- joints ---- */
 
-/* Writes the id of each face's body. Where the faces that stay have no surface, they go with the first body: they would
- * be no body by themselves. */
+/* Writes the id of each face's body. Where the faces of no body have no surface, they go with the first body: they
+ * would be no body by themselves. */
 static void set_face_ids(const making* work) {
     dmi_asset_mesh* mesh = work->desc->mesh;
     float staying = 0;
@@ -192,6 +194,29 @@ static dm_result infer_joints(making* work) {
     return dmi_object_prepare(work->env, work->picker, &inner, &work->object);
 }
 
+/* ---- what nothing holds ---- */
+
+static void read_name(const char* name, dmi_asset_named* named) {
+    const dmi_part_kind kind = dmi_kind_of_label(name).kind;
+    if (kind == DMI_KIND_POT)
+        named->vessel = true;
+    else if (kind != DMI_KIND_NOTHING && !dmi_kind_is_part(kind))
+        named->other = true;
+}
+
+/* Reads what the names call the asset. A vessel counts before other objects: a pot on a stove. */
+static dmi_asset_named read_names(const making* work) {
+    dmi_asset_named named = {0};
+    if (!work->desc->use_names) return named;
+    read_name(work->desc->labels.label, &named);
+    for (uint32_t i = 0; i < work->desc->node_count; i++) {
+        read_name(work->nodes[i].name, &named);
+        read_name(work->nodes[i].mesh_name, &named);
+    }
+    named.other = named.other && !named.vessel;
+    return named;
+}
+
 /* ---- the asset ---- */
 
 /* Lists the nodes part after part. */
@@ -227,16 +252,20 @@ static dm_result place_followers(making* work, uint32_t* body_of_node) {
     return DM_OK;
 }
 
-static void fill_part(const making* work, uint32_t index, dmi_asset_part* out) {
+static void fill_part(const making* work, uint32_t index, dmi_asset_named named, dmi_asset_part* out) {
     const dmi_asset_body* body = &work->bodies.bodies[index];
     const dmi_asset_given* given = given_of(work, index);
-    const bool stays = given == NULL && body->moves < work->desc->min_moves;
-    *out = (dmi_asset_part){.carrier = body->carrier,
-                            .state = stays ? DM_ASSET_STAYS : DM_ASSET_MOVES,
-                            .moves = given != NULL ? 1 : body->moves};
-    if (given == NULL) return;
-    out->given = *given;
-    work->object->parts[index + 1].joint = given->joint;
+    *out =
+        (dmi_asset_part){.carrier = body->carrier, .state = DM_ASSET_MOVES, .moves = given != NULL ? 1 : body->moves};
+    if (given != NULL) {
+        out->given = *given;
+        work->object->parts[index + 1].joint = given->joint;
+    } else if (body->moves < work->desc->min_moves) {
+        out->state = DM_ASSET_STAYS;
+    } else if (dmi_body_is_free(work->object, index + 1, named)) {
+        out->state = DM_ASSET_FREE;
+        dmi_body_set_free(work->object, index + 1);
+    }
 }
 
 static dm_result fill(making* work, dmi_asset* asset) {
@@ -249,7 +278,8 @@ static dm_result fill(making* work, dmi_asset* asset) {
     asset->nodes = dmi_alloc(work->env, asset->node_count * sizeof *asset->nodes, DMI_ALIGNMENT);
     if (asset->parts == NULL || asset->part_of_node == NULL || asset->nodes == NULL)
         return out_of_memory(work->env, asset->node_count);
-    for (uint32_t i = 0; i < asset->part_count; i++) fill_part(work, i, &asset->parts[i]);
+    const dmi_asset_named named = read_names(work);
+    for (uint32_t i = 0; i < asset->part_count; i++) fill_part(work, i, named, &asset->parts[i]);
     memcpy(asset->part_of_node, work->bodies.body_of_node, asset->node_count * sizeof *asset->part_of_node);
     const dm_result result = place_followers(work, asset->part_of_node);
     if (result != DM_OK) return result;

@@ -6,7 +6,7 @@
 #include "assets/asset_grouping.h"
 #include "kinematics/hints/label_words.h"
 
-static bool is_part_kind(dmi_part_kind kind) {
+bool dmi_kind_is_part(dmi_part_kind kind) {
     static const bool parts[] = {
 #define PART true
 #define OBJECT false
@@ -29,7 +29,7 @@ static dmi_part_kind kind_of_node(const dmi_asset_node* node) {
 static uint8_t name_class(dmi_part_kind kind) {
     if (kind == DMI_KIND_NOTHING) return DMI_NAME_SILENT;
     if (kind == DMI_KIND_HANDLE || kind == DMI_KIND_LATCH) return DMI_NAME_GRIP;
-    return is_part_kind(kind) ? DMI_NAME_PART : DMI_NAME_OBJECT;
+    return dmi_kind_is_part(kind) ? DMI_NAME_PART : DMI_NAME_OBJECT;
 }
 
 /* Returns whether two names are the same word for word; numbers are no words. */

@@ -24,6 +24,9 @@ typedef struct dmi_node_labels {
     bool has_tree;             /* some node carries a part of the units, not all */
 } dmi_node_labels;
 
+/* Returns whether a kind is one of parts that move, not of objects. */
+bool dmi_kind_is_part(dmi_part_kind kind);
+
 /* use_names: false, names are not read and the tree is not either. All memory comes from the arena; nodes and
  * unit_node must outlive `out`. */
 dm_result dmi_node_labels_make(dmi_arena* arena, const dmi_asset_node* nodes, uint32_t node_count,
