@@ -1,4 +1,5 @@
 /* dragmesh prepare: a file's parts, their joints found, as a .dmo that a game loads without the network. */
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,77 +7,60 @@
 #include "files.h"
 #include "job.h"
 #include "json.h"
-#include "nodes.h"
+#include "rig.h"
 #include "session_open.h"
 
-/* Part ids of a face: the named nodes are part 1; without names every node is a part but the largest. */
-static dm_result select_parts(session* session, const name_list* moving, uint16_t** out_ids) {
+/* How the parts are told. */
+typedef struct request {
+    name_list moving; /* nodes that are one part; none: the whole asset is asked for its parts */
+    bool no_hints;
+    double min_moves;
+} request;
+
+/* ---- one part, by its names ---- */
+
+static dm_result mark_part(session* session, const name_list* moving, uint8_t* ids) {
     const uint64_t faces = session->mesh.index_count / 3;
-    *out_ids = NULL;
-    if (moving->count == 0) {
-        if (dm_gltf_node_count(session->gltf) > DM_MAX_PARTS)
-            return session_fail(session, DM_ERROR_TOO_LARGE, "%u nodes, %d parts are the most; name some with --moving",
-                                dm_gltf_node_count(session->gltf), DM_MAX_PARTS);
-        *out_ids = node_part_ids(session, largest_node(session));
-        return DM_OK;
-    }
-    uint8_t* marked = cli_alloc_zeroed(faces);
-    const dm_result result =
-        dm_gltf_mark_faces(session->gltf, (const char* const*)moving->names, moving->count, 1, marked, faces);
-    *out_ids = cli_alloc(faces * sizeof **out_ids);
-    for (uint64_t face = 0; face < faces; face++) (*out_ids)[face] = marked[face];
-    free(marked);
-    return result;
+    return dm_gltf_mark_faces(session->gltf, (const char* const*)moving->names, moving->count, 1, ids, faces);
 }
 
-/* What the file says of each part's node; the descriptors point to it. To be freed. */
-static part_hints* add_hints(const session* session, const name_list* moving, dm_part_desc* parts, uint32_t count) {
-    part_hints* hints = cli_alloc_zeroed(count * sizeof *hints);
-    for (uint32_t i = 0; i < count; i++) {
-        char number[32];
-        dm_gltf_node node = {.name = ""};
-        dm_gltf_get_node(session->gltf, parts[i].id - 1, &node);
-        snprintf(number, sizeof number, "#%u", node.node);
-        part_hints_of_node(session->gltf, session->path, moving->count > 0 ? moving->names[0] : number, &hints[i]);
-        part_hints_enter(&hints[i], &parts[i]);
+/* A named node takes what it carries along. */
+static dm_result prepare_named(session* session, const request* request) {
+    uint8_t* ids = cli_alloc_zeroed(session->mesh.index_count / 3);
+    dm_part_desc part = {.struct_size = sizeof part, .id = 1};
+    part_hints hints;
+    if (!request->no_hints) {
+        part_hints_of_node(session->gltf, session->path, request->moving.names[0], &hints);
+        part_hints_enter(&hints, &part);
     }
-    return hints;
-}
-
-/* A named node takes what it carries along as one part; without names, each node knows what carries it. */
-static dm_part_desc* list_parts(const session* session, const name_list* moving, uint32_t* out_count) {
-    if (moving->count == 0) return node_parts(session, largest_node(session), out_count);
-    dm_part_desc* part = cli_alloc_zeroed(sizeof *part);
-    *part = (dm_part_desc){.struct_size = sizeof *part, .id = 1};
-    *out_count = 1;
-    return part;
-}
-
-static dm_result prepare(session* session, const name_list* moving, int no_hints) {
-    uint16_t* ids;
-    uint32_t count = 0;
-    dm_result result = select_parts(session, moving, &ids);
-    if (result == DM_OK) {
-        dm_part_desc* parts = list_parts(session, moving, &count);
-        part_hints* hints = no_hints ? NULL : add_hints(session, moving, parts, count);
-        dm_mesh_desc mesh = session->mesh;
-        mesh.part_ids = ids;
-        mesh.part_id_bytes = mesh.index_count / 3 * sizeof *ids;
-        mesh.part_id_format = DM_UINT16;
-        mesh.part_id_scope = DM_PER_FACE;
-        const dm_object_desc desc = {.struct_size = sizeof desc,
-                                     .flags = session_prepare_flags(session),
-                                     .mesh = &mesh,
-                                     .parts = count > 0 ? parts : NULL,
-                                     .part_count = count,
-                                     .model = session->model};
-        result = dm_object_prepare(session->context, &desc, &session->object);
-        free(hints);
-        free(parts);
-    }
+    dm_mesh_desc mesh = session->mesh;
+    mesh.part_ids = ids;
+    mesh.part_id_bytes = mesh.index_count / 3;
+    mesh.part_id_format = DM_UINT8;
+    mesh.part_id_scope = DM_PER_FACE;
+    const dm_object_desc desc = {.struct_size = sizeof desc,
+                                 .flags = session_prepare_flags(session),
+                                 .mesh = &mesh,
+                                 .parts = &part,
+                                 .part_count = 1,
+                                 .model = session->model};
+    dm_result result = mark_part(session, &request->moving, ids);
+    if (result == DM_OK) result = dm_object_prepare(session->context, &desc, &session->object);
     free(ids);
     return result;
 }
+
+/* ---- a whole asset ---- */
+
+static dm_result prepare_whole(session* session, const char* file, const request* request, rig* out_rig) {
+    const rig_options options = {
+        .without_names = request->no_hints, .without_pivots = request->no_hints, .min_moves = request->min_moves};
+    const dm_result result = rig_make(session, file, &options, out_rig);
+    if (result != DM_OK) return result;
+    return dm_asset_make_object(session->context, out_rig->asset, &session->object);
+}
+
+/* ---- what is written and said ---- */
 
 static dm_result save(session* session, const char* path, size_t* out_size) {
     size_t size = 0;
@@ -90,36 +74,45 @@ static dm_result save(session* session, const char* path, size_t* out_size) {
     return result;
 }
 
-static void part_name(const session* session, const name_list* moving, uint32_t id, char* out, size_t size) {
-    dm_gltf_node node = {0};
-    if (moving->count > 0)
-        snprintf(out, size, "%s%s", moving->names[0], moving->count > 1 ? " …" : "");
-    else if (dm_gltf_get_node(session->gltf, id - 1, &node) == DM_OK)
-        snprintf(out, size, "%s", node.name);
-    dm_gltf_mend_text(out);
+/* Adds the names of a part: those that were asked for, or those of its nodes. */
+static void add_names(const session* session, const request* request, const rig* rig, uint32_t id, cJSON* item) {
+    char name[256];
+    if (request->moving.count > 0)
+        snprintf(name, sizeof name, "%s%s", request->moving.names[0], request->moving.count > 1 ? " …" : "");
+    else
+        snprintf(name, sizeof name, "%s", rig_part_name(rig, id - 1));
+    dm_gltf_mend_text(name);
+    cJSON_AddStringToObject(item, "name", name);
+    if (request->moving.count == 0) rig_nodes_to_json(session, rig, id - 1, item);
 }
 
-static void report(session* session, const name_list* moving, size_t bytes, int as_json) {
+static cJSON* part_to_json(session* session, const request* request, const rig* rig, uint32_t index) {
+    dm_part_info part = {.struct_size = sizeof part};
+    dm_joint joint = dm_joint_default();
+    dm_object_get_part(session->context, session->object, index, &part);
+    dm_object_get_joint(session->context, session->object, part.id, &joint);
+    cJSON* item = cJSON_CreateObject();
+    cJSON_AddNumberToObject(item, "id", part.id);
+    cJSON_AddNumberToObject(item, "parent", part.parent);
+    add_names(session, request, rig, part.id, item);
+    joint_to_json(&joint, session->origin, item);
+    return item;
+}
+
+static void report(session* session, const request* request, const rig* rig, size_t bytes, bool as_json) {
     dm_object_info info = {.struct_size = sizeof info};
     dm_object_get_info(session->context, session->object, &info);
     cJSON* out = cJSON_CreateObject();
     cJSON* parts = cJSON_AddArrayToObject(out, "parts");
     for (uint32_t i = 0; i < info.part_count; i++) {
-        dm_part_info part = {.struct_size = sizeof part};
-        joint_answer found = {0};
-        char name[256] = "";
-        dm_object_get_part(session->context, session->object, i, &part);
-        found.joint = dm_joint_default();
-        dm_object_get_joint(session->context, session->object, part.id, &found.joint);
-        part_name(session, moving, part.id, name, sizeof name);
-        cJSON* item = cJSON_CreateObject();
-        cJSON_AddNumberToObject(item, "id", part.id);
-        cJSON_AddNumberToObject(item, "parent", part.parent);
-        cJSON_AddStringToObject(item, "name", name);
-        joint_to_json(&found.joint, session->origin, item);
+        cJSON* item = part_to_json(session, request, rig, i);
         cJSON_AddItemToArray(parts, item);
-        if (!as_json) printf("part %u '%s': ", part.id, name);
-        if (!as_json) joint_print(&found.joint, session->origin);
+        if (as_json) continue;
+        dm_joint joint = dm_joint_default();
+        const uint32_t id = (uint32_t)cJSON_GetObjectItem(item, "id")->valueint;
+        dm_object_get_joint(session->context, session->object, id, &joint);
+        printf("part %u '%s': ", id, cJSON_GetStringValue(cJSON_GetObjectItem(item, "name")));
+        joint_print(&joint, session->origin);
     }
     cJSON_AddNumberToObject(out, "bytes", (double)bytes);
     session_warnings_to_json(session, out);
@@ -130,37 +123,51 @@ static void report(session* session, const name_list* moving, size_t bytes, int 
         cJSON_Delete(out);
 }
 
+static int prepare(session* session, const char* file, const char* out_path, const request* request, bool as_json) {
+    rig rig = {.nodes = NULL};
+    size_t bytes = 0;
+    dm_result result = session_use_file(session, file);
+    if (result == DM_OK)
+        result =
+            request->moving.count > 0 ? prepare_named(session, request) : prepare_whole(session, file, request, &rig);
+    if (result == DM_OK) result = save(session, out_path, &bytes);
+    if (result == DM_OK)
+        report(session, request, &rig, bytes, as_json);
+    else
+        fprintf(stderr, "dragmesh: %s\n", session->error);
+    rig_free(session, &rig);
+    return result == DM_OK ? CLI_OK : CLI_FAILED;
+}
+
 static int run(int argc, char** argv) {
     const char *file = NULL, *out_path = NULL, *models = NULL;
     int as_json = 0, no_hints = 0;
-    name_list moving = {NULL, 0};
+    request request = {.min_moves = RIG_USUAL_MOVES};
     const option_spec table[] = {{.name = "-o", .kind = OPTION_TEXT, .value = &out_path},
-                                 {.name = "--moving", .kind = OPTION_NAMES, .value = &moving},
+                                 {.name = "--moving", .kind = OPTION_NAMES, .value = &request.moving},
+                                 {.name = "--min-moves", .kind = OPTION_NUMBER, .value = &request.min_moves},
                                  {.name = "--models", .kind = OPTION_TEXT, .value = &models},
                                  {.name = "--no-hints", .kind = OPTION_FLAG, .value = &no_hints},
                                  {.name = "--json", .kind = OPTION_FLAG, .value = &as_json}};
     session session;
     int status = options_read(&cli_prepare, argc, argv, table, sizeof table / sizeof *table, &file);
+    request.no_hints = no_hints;
     if (status == CLI_OK && (file == NULL || out_path == NULL))
         status = options_refuse(&cli_prepare, "a file and -o are needed");
+    if (status == CLI_OK && !(request.min_moves >= 0 && request.min_moves <= 1))
+        status = options_refuse(&cli_prepare, "--min-moves: 0 to 1");
     if (status == CLI_OK) status = options_check_output(&cli_prepare, "-o", out_path, ".dmo");
     if (status == CLI_OK) status = session_open(&session, models, NULL);
     if (status == CLI_OK) {
-        size_t bytes = 0;
-        dm_result result = session_use_file(&session, file);
-        if (result == DM_OK) result = prepare(&session, &moving, no_hints);
-        if (result == DM_OK) result = save(&session, out_path, &bytes);
-        if (result == DM_OK)
-            report(&session, &moving, bytes, as_json);
-        else
-            fprintf(stderr, "dragmesh: %s\n", session.error);
-        status = result == DM_OK ? CLI_OK : CLI_FAILED;
+        status = prepare(&session, file, out_path, &request, as_json);
         session_close(&session);
     }
-    name_list_free(&moving);
+    name_list_free(&request.moving);
     return status;
 }
 
 const cli_command cli_prepare = {
-    "prepare", run, "FILE.glb -o OUT.dmo [--moving NODE[,NODE…]] [--no-hints] [--json]",
-    "Finds the joints and writes them for a game to load. Without --moving every node is a part but the largest."};
+    "prepare", run, "FILE.glb -o OUT.dmo [--moving NODE[,NODE…]] [--min-moves P] [--no-hints] [--json]",
+    "Finds the joints and writes them for a game to load. Without --moving the whole asset is asked which nodes move,\n"
+    "    and which of them as one; --min-moves: probability from which on a part does. --json says whose nodes are "
+    "whose."};

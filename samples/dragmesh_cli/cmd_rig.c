@@ -8,8 +8,7 @@
 #include "rig_output.h"
 #include "session_open.h"
 
-static const double usual_moves = 0.5; /* as dm_asset_desc.min_moves */
-enum { MOST_WORKERS = 256 };           /* by hand */
+enum { MOST_WORKERS = 256 }; /* by hand */
 
 static const char* const switches[] = {"on", "off", NULL};
 
@@ -44,7 +43,7 @@ static int run(int argc, char** argv) {
     const char *file = NULL, *models = NULL, *names = "on";
     int no_clips = 0, as_json = 0, is_worker = 0, workers = 1;
     rig_output output = {.up = "y"};
-    rig_options options = {.min_moves = usual_moves};
+    rig_options options = {.min_moves = RIG_USUAL_MOVES};
     const option_spec table[] = {{.name = "-o", .kind = OPTION_TEXT, .value = &output.path},
                                  {.name = "--names", .kind = OPTION_CHOICE, .value = &names, .choices = switches},
                                  {.name = "--no-clips", .kind = OPTION_FLAG, .value = &no_clips},

@@ -72,17 +72,3 @@ uint16_t* node_part_ids(const session* session, uint32_t body) {
     }
     return ids;
 }
-
-dm_part_desc* node_parts(const session* session, uint32_t body, uint32_t* out_count) {
-    dm_part_desc* parts = cli_alloc_zeroed(dm_gltf_node_count(session->gltf) * sizeof *parts);
-    *out_count = 0;
-    for (uint32_t i = 0; i < dm_gltf_node_count(session->gltf); i++) {
-        dm_gltf_node node;
-        dm_gltf_get_node(session->gltf, i, &node);
-        const uint32_t id = node_part_id(session, i, body);
-        if (id != i + 1 || node.face_count == 0) continue;
-        const uint32_t parent = node.carrier == DM_GLTF_NO_CARRIER ? 0 : node_part_id(session, node.carrier, body);
-        parts[(*out_count)++] = (dm_part_desc){.struct_size = sizeof *parts, .id = id, .parent = parent};
-    }
-    return parts;
-}

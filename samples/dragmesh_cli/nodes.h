@@ -14,7 +14,5 @@ uint32_t largest_node(const session* session);
 uint16_t node_part_id(const session* session, uint32_t index, uint32_t body);
 /* A part id a face. To be freed. */
 uint16_t* node_part_ids(const session* session, uint32_t body);
-/* The parts, each with the one that carries it. To be freed. */
-dm_part_desc* node_parts(const session* session, uint32_t body, uint32_t* out_count);
 
 #endif

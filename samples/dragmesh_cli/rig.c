@@ -24,6 +24,16 @@ static dm_result read_parts(session* session, rig* rig) {
     return result;
 }
 
+/* The nodes as the asset gets them: those of the file, or where their origins shall say nothing copies. */
+static const dm_asset_node* take_nodes(const rig* rig, const rig_options* options, dm_asset_node** out_copies) {
+    *out_copies = NULL;
+    if (!options->without_pivots) return rig->nodes;
+    *out_copies = cli_alloc(rig->node_count * sizeof **out_copies);
+    memcpy(*out_copies, rig->nodes, rig->node_count * sizeof **out_copies);
+    for (uint32_t i = 0; i < rig->node_count; i++) (*out_copies)[i].flags |= DM_ASSET_NODE_NO_PIVOT;
+    return *out_copies;
+}
+
 dm_result rig_make(session* session, const char* path, const rig_options* options, rig* out_rig) {
     const double start = cli_now_ms();
     char label[DM_MAX_LABEL + 1];
@@ -32,16 +42,18 @@ dm_result rig_make(session* session, const char* path, const rig_options* option
     if (result == DM_OK) result = dm_gltf_get_asset(session->gltf, 0, &out_rig->nodes, &out_rig->node_count);
     if (result != DM_OK) return result;
     part_hints_file_stem(path, label, sizeof label);
+    dm_asset_node* copies;
     const dm_asset_desc desc = {.struct_size = sizeof desc,
                                 .flags = session_prepare_flags(session) |
                                          (options->without_clips ? DM_ASSET_WITHOUT_CLIPS : 0u) |
                                          (options->without_names ? DM_ASSET_WITHOUT_NAMES : 0u),
-                                .nodes = out_rig->nodes,
+                                .nodes = take_nodes(out_rig, options, &copies),
                                 .node_count = out_rig->node_count,
                                 .label = label,
                                 .min_moves = (float)options->min_moves,
                                 .model = session->model};
     result = dm_asset_create(session->context, &desc, &out_rig->asset);
+    free(copies);
     if (result == DM_OK) result = read_parts(session, out_rig);
     out_rig->seconds = (cli_now_ms() - start) / 1e3;
     return result;
@@ -56,6 +68,36 @@ void rig_free(session* session, rig* rig) {
 void rig_describe(const rig* rig, char* out, size_t size) {
     snprintf(out, size, "%u of %u parts move%s, %.1f s", rig->info.moving_count, rig->info.part_count,
              rig->info.moving_count == 1 ? "s" : "", rig->seconds);
+}
+
+static bool has_node(const rig_part* part, uint32_t node) {
+    for (uint32_t i = 0; i < part->part.node_count; i++)
+        if (part->nodes[i] == node) return true;
+    return false;
+}
+
+static uint64_t index_count(const rig* rig, uint32_t node) {
+    return rig->nodes[node].mesh != NULL ? rig->nodes[node].mesh->index_count : 0;
+}
+
+/* Returns the highest node of the part above one of it. */
+static uint32_t top_of(const rig* rig, const rig_part* part, uint32_t node) {
+    while (rig->nodes[node].parent != DM_ASSET_NO_NODE && has_node(part, rig->nodes[node].parent))
+        node = rig->nodes[node].parent;
+    return node;
+}
+
+const char* rig_part_name(const rig* rig, uint32_t index) {
+    const rig_part* part = &rig->parts[index];
+    const char* name = NULL;
+    uint64_t most = 0;
+    for (uint32_t i = 0; i < part->part.node_count; i++) {
+        const uint32_t node = part->nodes[i];
+        if (name != NULL && index_count(rig, node) <= most) continue;
+        most = index_count(rig, node);
+        name = rig->nodes[top_of(rig, part, node)].name;
+    }
+    return name != NULL ? name : "";
 }
 
 /* Returns the id of the part with which a part goes: its own, or where it stays that of what carries it. */

@@ -5,9 +5,11 @@
 #include "job.h"
 #include "session.h"
 
+#define RIG_USUAL_MOVES 0.5 /* as dm_asset_desc.min_moves */
+
 /* How to rig. */
 typedef struct rig_options {
-    bool without_names, without_clips;
+    bool without_names, without_clips, without_pivots;
     double min_moves; /* probability from which on a part moves */
 } rig_options;
 
@@ -29,6 +31,11 @@ typedef struct rig {
 /* Rigs a file, which becomes the session's. */
 dm_result rig_make(session* session, const char* path, const rig_options* options, rig* out_rig);
 void rig_free(session* session, rig* rig);
+
+/* Returns the name of the node that carries most of a part; "": it has none. */
+const char* rig_part_name(const rig* rig, uint32_t index);
+/* Adds `nodes` and `node_indices` of a part: the names of its nodes, and their indices in the file. */
+void rig_nodes_to_json(const session* session, const rig* rig, uint32_t index, cJSON* out);
 
 /* Returns what was asked for, as text: with another text, an answer is another. */
 const char* rig_options_text(const rig_options* options, char* out, size_t size);

@@ -11,15 +11,16 @@ const char* rig_options_text(const rig_options* options, char* out, size_t size)
     return out;
 }
 
-static cJSON* nodes_to_json(const session* session, const rig* rig, const rig_part* part, bool by_name) {
-    cJSON* out = cJSON_CreateArray();
+void rig_nodes_to_json(const session* session, const rig* rig, uint32_t index, cJSON* out) {
+    const rig_part* part = &rig->parts[index];
+    cJSON *names = cJSON_AddArrayToObject(out, "nodes"), *numbers = cJSON_AddArrayToObject(out, "node_indices");
     for (uint32_t i = 0; i < part->part.node_count; i++) {
         uint32_t number = 0;
         const char* name = rig->nodes[part->nodes[i]].name;
         dm_gltf_get_asset_node(session->gltf, part->nodes[i], &number);
-        cJSON_AddItemToArray(out, by_name ? cJSON_CreateString(name != NULL ? name : "") : cJSON_CreateNumber(number));
+        cJSON_AddItemToArray(names, cJSON_CreateString(name != NULL ? name : ""));
+        cJSON_AddItemToArray(numbers, cJSON_CreateNumber(number));
     }
-    return out;
 }
 
 /* The joint as those who know turns and slides alone read it. What they lack is in `dragmesh_joint`. */
@@ -32,14 +33,14 @@ static void plain_joint_to_json(const session* session, const dm_joint* joint, c
     joint_to_json(joint, session->origin, cJSON_AddObjectToObject(out, "dragmesh_joint"));
 }
 
-static cJSON* part_to_json(const session* session, const rig* rig, const rig_part* part) {
+static cJSON* part_to_json(const session* session, const rig* rig, uint32_t index) {
     static const char* const states[] = {
         [DM_ASSET_STAYS] = "stays", [DM_ASSET_MOVES] = "moves", [DM_ASSET_FREE] = "free"};
     static const char* const bases[] = {
         [DM_ASSET_INFERRED] = "inferred", [DM_ASSET_FROM_FILE] = "file", [DM_ASSET_FROM_CLIP] = "clip"};
+    const rig_part* part = &rig->parts[index];
     cJSON* out = cJSON_CreateObject();
-    cJSON_AddItemToObject(out, "nodes", nodes_to_json(session, rig, part, true));
-    cJSON_AddItemToObject(out, "node_indices", nodes_to_json(session, rig, part, false));
+    rig_nodes_to_json(session, rig, index, out);
     cJSON_AddNumberToObject(out, "parent", part->part.parent == DM_ASSET_NO_PART ? -1 : (double)part->part.parent);
     cJSON_AddStringToObject(out, "state", states[part->part.state]);
     json_add_number(out, "moves", (double)part->part.moves, 4);
@@ -55,8 +56,7 @@ cJSON* rig_to_json(const session* session, const rig* rig, const rig_options* op
     cJSON* out = cJSON_CreateObject();
     cJSON_AddStringToObject(out, "options", rig_options_text(options, text, sizeof text));
     cJSON* parts = cJSON_AddArrayToObject(out, "parts");
-    for (uint32_t i = 0; i < rig->info.part_count; i++)
-        cJSON_AddItemToArray(parts, part_to_json(session, rig, &rig->parts[i]));
+    for (uint32_t i = 0; i < rig->info.part_count; i++) cJSON_AddItemToArray(parts, part_to_json(session, rig, i));
     session_warnings_to_json(session, out);
     return out;
 }

@@ -25,9 +25,7 @@ typedef struct tracks {
 } tracks;
 
 static void name_track(const rig* rig, uint32_t index, char out[NAME]) {
-    const rig_part* part = &rig->parts[index];
-    const char* name = part->part.node_count > 0 ? rig->nodes[part->nodes[0]].name : NULL;
-    snprintf(out, NAME, "part_%u_%.60s", index + 1, name != NULL ? name : "");
+    snprintf(out, NAME, "part_%u_%.60s", index + 1, rig_part_name(rig, index));
     dm_gltf_mend_text(out);
 }
 

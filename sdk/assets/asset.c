@@ -5,6 +5,7 @@
 
 #include "assets/asset_weights.h"
 #include "assets/body_hints.h"
+#include "assets/body_order.h"
 #include "assets/free_bodies.h"
 #include "assets/node_labels.h"
 #include "assets/node_order.h"
@@ -107,6 +108,12 @@ static dm_result drop_flat_bodies(making* work) {
     return DM_OK;
 }
 
+static dm_result order_bodies(making* work) {
+    const uint32_t nodes = work->desc->node_count;
+    const dm_result result = dmi_asset_bodies_order(&work->arena, &work->bodies, nodes, work->desc->min_moves);
+    return result == DM_OK ? DM_OK : out_of_memory(work->env, nodes);
+}
+
 static dm_result find_bodies(making* work) {
     const dmi_progress finding = dmi_progress_piece(work->desc->progress, MESH_DONE, BODIES_DONE);
     dmi_asset_models models;
@@ -118,6 +125,7 @@ static dm_result find_bodies(making* work) {
     work->query.models = NULL;
     dmi_asset_models_release(&models);
     if (result == DM_OK) result = drop_flat_bodies(work);
+    if (result == DM_OK) result = order_bodies(work);
     if (result == DM_OK) result = dmi_progress_tell(&finding, 1);
     work->query.progress = NULL;
     return result;

@@ -5,6 +5,7 @@
 #include "dragmesh/dragmesh.h"
 #include "dragmesh/ext/gltf.h"
 #include "test_door.h"
+#include "test_shapes.h"
 
 static void path_in_folder(char* path, const char* name) {
     snprintf(path, TOOL_PATH + 32, "%s/%s", door.folder, name);
@@ -110,6 +111,63 @@ static void test_prepare(void** state) {
     free(bytes);
 }
 
+/* A cupboard whose walls, door and knob are nodes of their own: x, y, z of two corners. */
+static const struct {
+    const char* name;
+    float low[3], high[3];
+} pieces[] = {
+    {"side", {-0.4f, 0, -0.25f}, {-0.38f, 0.8f, 0.23f}},       {"side2", {0.38f, 0, -0.25f}, {0.4f, 0.8f, 0.23f}},
+    {"floor", {-0.38f, 0, -0.25f}, {0.38f, 0.02f, 0.23f}},     {"roof", {-0.38f, 0.78f, -0.25f}, {0.38f, 0.8f, 0.23f}},
+    {"back", {-0.38f, 0.02f, -0.25f}, {0.38f, 0.78f, -0.23f}}, {"door", {-0.4f, 0, 0.232f}, {0.4f, 0.8f, 0.25f}},
+    {"knob", {0.32f, 0.36f, 0.25f}, {0.35f, 0.44f, 0.28f}}};
+
+enum { PIECES = sizeof pieces / sizeof *pieces };
+
+static void write_cupboard(const char* path) {
+    static test_shape shapes[PIECES];
+    dm_gltf_part parts[PIECES];
+    void* data;
+    size_t size;
+    for (int i = 0; i < PIECES; i++) {
+        shapes[i].vertex_count = shapes[i].face_count = 0;
+        test_shape_box(&shapes[i], pieces[i].low, pieces[i].high, 0);
+        parts[i] = (dm_gltf_part){.name = pieces[i].name,
+                                  .positions = shapes[i].xyz[0],
+                                  .indices = shapes[i].corners[0],
+                                  .vertex_count = shapes[i].vertex_count,
+                                  .index_count = 3 * (uint64_t)shapes[i].face_count,
+                                  .colour = {1, 1, 1, 1}};
+    }
+    assert_int_equal(dm_gltf_write(parts, PIECES, NULL, NULL, &data, &size), DM_OK);
+    tool_write(path, data, size);
+    free(data);
+}
+
+/* The door and its knob are one part, the walls are none. */
+static void test_prepare_takes_whole_assets(void** state) {
+    (void)state;
+    char glb[TOOL_PATH + 32], dmo[TOOL_PATH + 32];
+    path_in_folder(glb, "cupboard.glb");
+    path_in_folder(dmo, "cupboard.dmo");
+    write_cupboard(glb);
+    tool_run(&out, "dragmesh", NULL, "prepare|%s|--models|sdk/models|-o|%s|--json", glb, dmo);
+    if (out.status != 0) fail_msg("%s", out.errors);
+    cJSON* json = tool_json(&out);
+    assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItem(json, "parts")), 1);
+    const cJSON* door = cJSON_GetArrayItem(cJSON_GetObjectItem(json, "parts"), 0);
+    const cJSON* numbers = cJSON_GetObjectItem(door, "node_indices");
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItem(door, "name")), "door");
+    assert_int_equal(cJSON_GetObjectItem(door, "id")->valueint, 1);
+    assert_int_equal(cJSON_GetArraySize(numbers), 2);
+    assert_int_equal(cJSON_GetArrayItem(numbers, 0)->valueint, PIECES - 2);
+    assert_int_equal(cJSON_GetArrayItem(numbers, 1)->valueint, PIECES - 1);
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItem(door, "type")), "revolute");
+    cJSON_Delete(json);
+    tool_run(&out, "dragmesh", NULL, "prepare|%s|--models|sdk/models|--min-moves|1|-o|%s", glb, dmo);
+    assert_int_equal(out.status, 1);
+    assert_non_null(strstr(out.errors, "DM_ERROR_EMPTY_MASK"));
+}
+
 static void test_eval(void** state) {
     (void)state;
     char folder[TOOL_PATH];
@@ -192,10 +250,15 @@ static void test_demo(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_animate), cmocka_unit_test(test_film),
-        cmocka_unit_test(test_pick),    cmocka_unit_test(test_prepare),
-        cmocka_unit_test(test_eval),    cmocka_unit_test(test_eval_does_not_depend_on_the_frame),
-        cmocka_unit_test(test_bench),   cmocka_unit_test(test_demo),
+        cmocka_unit_test(test_animate),
+        cmocka_unit_test(test_film),
+        cmocka_unit_test(test_pick),
+        cmocka_unit_test(test_prepare),
+        cmocka_unit_test(test_prepare_takes_whole_assets),
+        cmocka_unit_test(test_eval),
+        cmocka_unit_test(test_eval_does_not_depend_on_the_frame),
+        cmocka_unit_test(test_bench),
+        cmocka_unit_test(test_demo),
     };
     return cmocka_run_group_tests_name("cli_outputs", tests, set_up, tear_down);
 }
