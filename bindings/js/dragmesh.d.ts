@@ -46,6 +46,66 @@ export interface Part {
     /** Where the asset has the node that moves the part. */
     pivot?: { origin: VectorLike; axes?: ArrayLike<number> };
 }
+/** A node of an asset as a scene has it. */
+export interface AssetNode {
+    name?: string;
+    meshName?: string;
+    /** Index of the node above it; null or absent: none. */
+    parent?: number | null;
+    /** Its mesh, as of Mesh; absent: a group. */
+    positions?: Mesh['positions'];
+    positionStride?: number;
+    indices?: Mesh['indices'];
+    /** 16 numbers, column-major: node to asset. */
+    transform?: ArrayLike<number>;
+    /** Asset frame; absent: origin and axes of transform. */
+    pivot?: { origin: VectorLike; axes?: ArrayLike<number> };
+    /** Where its origin lies says nothing. */
+    noPivot?: boolean;
+    /** A joint that the file states, asset frame. */
+    joint?: JointLike;
+    /** How animations move it, from the pose that its mesh has, asset frame. */
+    clips?: { name?: string; times: ArrayLike<number>; poses: Pose[] }[];
+    /** Neither part nor body, such as a collider: index of the node with which it goes; null: the one above it. */
+    follows?: number | null;
+}
+export interface RigOptions {
+    nodes: AssetNode[];
+    model?: Model;
+    /** Names of the whole asset. */
+    label?: string;
+    seed?: number;
+    /** AssetFlag, PrepareFlag */
+    flags?: number;
+    /** Which way is up; absent: that of the context's axes. */
+    up?: VectorLike;
+    /** Probability from which on a part moves; absent: 0.5. */
+    minMoves?: number;
+    /** Whether names, and clips, count; true. */
+    names?: boolean;
+    clips?: boolean;
+    picking?: boolean;
+    /** Share done, rising; true cancels. */
+    progress?: (share: number) => boolean | void;
+}
+/** Nodes that move as one, or might. */
+export interface AssetPart {
+    /** Index of the part that carries it; null: the body. */
+    parent: number | null;
+    /** In the object: its index + 1; 0 while it stays. */
+    partId: number;
+    /** AssetState */
+    state: number;
+    /** AssetBasis */
+    basis: number;
+    /** Probability that it moves. */
+    moves: number;
+    nodeCount: number;
+    triangleCount: number;
+    duration: number;
+    boxMin: Vector;
+    boxMax: Vector;
+}
 /** How a part moves. */
 export interface Joint {
     /** JointType */
@@ -310,12 +370,28 @@ export interface Context extends Destroyable {
     /** 1 for each face that moves with the point, else 0. */
     findPart(mesh: Mesh, drag: { point: VectorLike; vector?: VectorLike }): Uint8Array;
     prepare(options: PrepareOptions): PreparedObject;
+    /** Finds out which nodes of a whole asset move, which of them as one, and how. */
+    rig(options: RigOptions): Asset;
     /** Reads what PreparedObject.save has made. */
     loadObject(data: Uint8Array | ArrayBuffer, model?: Model): PreparedObject;
     createScene(): Scene;
     cameraRay(camera: Camera, x: number, y: number): { origin: Vector; direction: Vector };
 }
 export interface Model extends Destroyable {}
+/** A whole asset: which of its nodes move, how, and what carries them. */
+export interface Asset extends Destroyable {
+    readonly info: { nodeCount: number; partCount: number; movingCount: number; triangleCount: number; degraded: number; warnings: number };
+    /** Those that stay included. */
+    readonly parts: AssetPart[];
+    /** How a part moves; of one that stays, how it would. */
+    joint(index: number): Joint;
+    /** The nodes of a part, rising. */
+    partNodes(index: number): number[];
+    /** The index of each node's part; null: the body. */
+    readonly nodeParts: (number | null)[];
+    /** A prepared object of the parts that move or are free: their ids are their indices + 1. */
+    makeObject(): PreparedObject;
+}
 export interface PreparedObject extends Destroyable {
     readonly info: ObjectInfo;
     readonly parts: PartInfo[];

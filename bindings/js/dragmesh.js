@@ -1,6 +1,6 @@
 // dragmesh for JavaScript: makes any 3D object openable. README.md explains it, dragmesh.d.ts declares it.
-import { FloatFormat, IntegerFormat, MAX_HYPOTHESES, MOTION_FRAMES, PartIdScope, PrepareFlag, Result,
-    VERSION_NUMBER, structs } from './abi.js';
+import { ASSET_NO_NODE, ASSET_NO_PART, AssetFlag, AssetNodeFlag, FloatFormat, IntegerFormat, MAX_HYPOTHESES, MOTION_FRAMES, PartIdScope,
+    PrepareFlag, Result, VERSION_NUMBER, structs } from './abi.js';
 import { Memory, bytesOf, formatOf, integer } from './memory.js';
 
 export * from './abi.js';
@@ -393,6 +393,19 @@ export class Context {
         });
     }
 
+    /** Finds out which nodes of a whole asset move, which of them as one, and how. names, clips: whether they count. */
+    rig({ nodes, model, label, seed = 0, flags = 0, up, minMoves, names = true, clips = true, picking = true, progress }) {
+        return this.#library.scope(scope => {
+            const rows = Array.from(nodes, node => writeNode(scope, node));
+            const desc = { nodes: scope.structs('dm_asset_node', rows), nodeCount: rows.length, model: model?.handle, seed, up, minMoves };
+            desc.flags = flags | (picking ? 0 : PrepareFlag.WITHOUT_PICKING) | (names ? 0 : AssetFlag.WITHOUT_NAMES) | (clips ? 0 : AssetFlag.WITHOUT_CLIPS);
+            if (label) desc.label = scope.text(label, 'label');
+            if (progress) desc.progress = this.#library.exports.dmjs_progress(), desc.progressUser = this.live.slot;
+            const address = scope.struct('dm_asset_desc', desc);
+            return new Asset(this, this.#hooked({ progress }, () => this.make(scope, 'dm_asset_destroy', 'dm_asset_create', address)));
+        });
+    }
+
     /** Reads the bytes that PreparedObject.save has made. */
     loadObject(data, model) {
         return this.#library.scope(scope => {
@@ -449,6 +462,89 @@ function writeMesh(scope, { positions, positionStride = 0, indices, partIds, par
 
 function writePart(scope, { label, pivot, drag, ...rest }) {
     return { ...rest, label: label && scope.text(label, 'label'), pivot: pivot && scope.struct('dm_pivot', pivot), drag: drag && scope.struct('dm_drag_hint', drag) };
+}
+
+// Sixteen numbers, column by column.
+function writeMatrix(scope, values) {
+    if (values.length !== 16) throw new RangeError(`a transform has 16 numbers, not ${values.length}`);
+    return scope.copy(Float32Array.from(values));
+}
+
+function writeClip(scope, { name, times, poses }) {
+    if (times.length !== poses.length) throw new RangeError(`${times.length} times for ${poses.length} poses`);
+    return { name: name && scope.text(name, 'name'), times: scope.copy(Float32Array.from(times)), poses: scope.structs('dm_pose', poses), keyCount: poses.length };
+}
+
+function writeNode(scope, { name, meshName, parent, positions, indices, positionStride, transform, pivot, joint, clips, follows, noPivot, ...unknown }) {
+    for (const key of Object.keys(unknown)) throw new TypeError(`a node has no "${key}"`);
+    return {
+        flags: (follows !== undefined ? AssetNodeFlag.FOLLOWS : 0) | (noPivot ? AssetNodeFlag.NO_PIVOT : 0),
+        parent: parent ?? ASSET_NO_NODE, follows: follows ?? ASSET_NO_NODE,
+        name: name && scope.text(name, 'name'), meshName: meshName && scope.text(meshName, 'meshName'),
+        mesh: positions && writeMesh(scope, { positions, indices, positionStride }),
+        transform: transform && writeMatrix(scope, transform), pivot: pivot && scope.struct('dm_pivot', pivot),
+        joint: joint && scope.struct('dm_joint', joint),
+        clips: clips && scope.structs('dm_asset_clip', Array.from(clips, clip => writeClip(scope, clip))), clipCount: clips?.length,
+    };
+}
+
+/** A whole asset: which of its nodes move, how, and what carries them. */
+export class Asset extends Owned {
+    constructor(context, handle) {
+        super(context, handle, 'dm_asset_destroy');
+    }
+
+    #read(struct, name, ...args) {
+        const { library } = this.context;
+        return library.scope(scope => {
+            const out = scope.struct(struct);
+            this.context.call(name, this.handle, ...args, out);
+            return library.memory.read(struct, out);
+        });
+    }
+
+    #indices(count, name, ...args) {
+        const { library } = this.context;
+        return library.scope(scope => {
+            const out = scope.allocate(4 * count);
+            this.context.call(name, this.handle, ...args, out, count);
+            return Array.from({ length: count }, (_, i) => library.memory.view.getUint32(out + 4 * i, true));
+        });
+    }
+
+    get info() {
+        return this.#read('dm_asset_info', 'dm_asset_get_info');
+    }
+
+    /** All parts, those that stay included. parent: index of the part that carries it; null: the body. */
+    get parts() {
+        return Array.from({ length: this.info.partCount }, (_, i) => {
+            const part = this.#read('dm_asset_part', 'dm_asset_get_part', i);
+            return { ...part, parent: part.parent === ASSET_NO_PART ? null : part.parent };
+        });
+    }
+
+    /** How a part moves; of one that stays, how it would. */
+    joint(index) {
+        return this.#read('dm_joint', 'dm_asset_get_joint', integer(index, 'index'));
+    }
+
+    /** The nodes of a part, rising. */
+    partNodes(index) {
+        const { nodeCount } = this.#read('dm_asset_part', 'dm_asset_get_part', integer(index, 'index'));
+        return this.#indices(nodeCount, 'dm_asset_get_part_nodes', index);
+    }
+
+    /** The index of each node's part; null: the body. */
+    get nodeParts() {
+        return this.#indices(this.info.nodeCount, 'dm_asset_get_node_parts').map(part => (part === ASSET_NO_PART ? null : part));
+    }
+
+    /** A prepared object of the parts that move or are free: their ids are their indices + 1. */
+    makeObject() {
+        const { context } = this;
+        return context.library.scope(scope => new PreparedObject(context, context.make(scope, 'dm_object_destroy', 'dm_asset_make_object', this.handle)));
+    }
 }
 
 /** Loaded weights. */

@@ -49,6 +49,47 @@ test('hooks are called, and what they throw comes out of the call', () => {
     context.destroy();
 });
 
+// A box as a node, its corners from `low` to `high`.
+function box(name, low, high, more = {}) {
+    const positions = new Float32Array(24);
+    for (let i = 0; i < 8; i++) for (let k = 0; k < 3; k++) positions[3 * i + k] = (i >> k) & 1 ? high[k] : low[k];
+    const indices = Uint16Array.of(0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6);
+    return { name, positions, indices, ...more };
+}
+
+test('a whole asset answers which nodes are one part', () => {
+    const context = dragmesh.createContext(), done = [];
+    const nodes = [box('side', [-0.4, 0, -0.25], [-0.38, 0.8, 0.23]), box('side2', [0.38, 0, -0.25], [0.4, 0.8, 0.23]),
+        box('floor', [-0.38, 0, -0.25], [0.38, 0.02, 0.23]), box('roof', [-0.38, 0.78, -0.25], [0.38, 0.8, 0.23]),
+        box('back', [-0.38, 0.02, -0.25], [0.38, 0.78, -0.23]), { name: 'front', parent: null },
+        box('door', [0, 0, 0], [0.8, 0.8, 0.018], { parent: 5, transform: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -0.4, 0, 0.232, 1] }),
+        box('knob', [0.32, 0.36, 0.25], [0.35, 0.44, 0.28], { parent: 5 }), box('collider', [-1, 0, -1], [1, 1, 1], { follows: 6 })];
+    const asset = context.rig({ nodes, label: 'cupboard', progress: share => { done.push(share); } });
+    assert.deepEqual(asset.info.movingCount, 1);
+    assert.deepEqual(asset.nodeParts, [null, null, null, null, null, 0, 0, 0, 0]);
+    assert.deepEqual(asset.partNodes(0), [5, 6, 7, 8]);
+    const [door] = asset.parts;
+    assert.deepEqual([door.partId, door.parent, door.state, door.basis], [1, null, api.AssetState.MOVES, api.AssetBasis.INFERRED]);
+    assert.ok(door.moves > 0.5 && done.length > 1);
+    const object = asset.makeObject();
+    assert.deepEqual(object.parts.map(part => part.id), [1]);
+    assert.deepEqual(object.joint(1), asset.joint(0));
+    asset.destroy();
+    assert.throws(() => asset.info, error('DM_ERROR_STALE_HANDLE'));
+    assert.equal(object.parts.length, 1, 'the object stays');
+    const hinge = { type: api.JointType.REVOLUTE, axis: [0, 1, 0], origin: [0.4, 0.4, 0.24], lower: 0, upper: 1 };
+    assert.equal(context.rig({ nodes: nodes.with(6, { ...nodes[6], joint: hinge }) }).parts[0].basis, api.AssetBasis.FROM_FILE);
+    const poses = Array.from({ length: 9 }, (_, i) => dragmesh.jointPose(hinge, i / 8)), times = poses.map((_, i) => i / 4);
+    const clipped = nodes.with(6, { ...nodes[6], clips: [{ name: 'open', times, poses }] });
+    assert.equal(context.rig({ nodes: clipped }).parts[0].basis, api.AssetBasis.FROM_CLIP);
+    assert.equal(context.rig({ nodes: clipped, clips: false }).parts[0].basis, api.AssetBasis.INFERRED);
+    assert.throws(() => context.rig({ nodes: [{ name: 'a', mesh: 1 }] }), /no "mesh"/);
+    assert.throws(() => context.rig({ nodes: [box('a', [0, 0, 0], [1, 1, 1], { transform: [1] })] }), /16 numbers/);
+    assert.throws(() => context.rig({ nodes, progress: () => true }), error('DM_ERROR_CANCELLED'));
+    assert.throws(() => context.rig({ nodes, minMoves: 1 }).makeObject(), error('DM_ERROR_EMPTY_MASK'));
+    context.destroy();
+});
+
 test('what is destroyed is gone, twice is no error, and memory comes back', () => {
     const context = dragmesh.createContext();
     let before = 0; // after the first round, which makes the context's tables
