@@ -16,7 +16,6 @@ const LONGEST_FRAME = 1 / 20; // s: a page that was hidden does not leap
 const FIRST_FRAME = 1 / 60;
 const GLOW = 8; // 1/s, of a part under the pointer
 const TAP = 6; // px that a press may move and still be a tap
-const ASKED_AHEAD = 16; // pieces whose joints are found before they are touched
 const MESSAGE_TIME = 4200; // ms
 const CHOOSER = 96; // px at the bottom, for the objects to try
 const BESIDE = 120; // px at the right, for the card that a pull brings
@@ -46,21 +45,27 @@ function show(asset, camera) {
     opened++;
     stage.frame(asset.box, camera);
     $('#save').disabled = false;
-    showHint(asset.pieceCount > 1 ? 'Pull on something that opens' : 'Pull on the lid: it is found from the shape');
-    askAhead(parts);
+    askParts(parts);
     wake();
 }
 
-// Finds the joints of the nodes while nobody has touched them yet; a touch goes first.
-async function askAhead(mine) {
-    const { asset } = mine, first = new Map();
-    if (asset.pieceCount > 1) asset.pieces.forEach((piece, face) => { if (!first.has(piece) && !mine.isBody(face)) first.set(piece, face); });
-    await solver.ready;
-    for (const face of [...first.values()].slice(0, ASKED_AHEAD)) {
-        while (pressed.size && mine === parts) await new Promise(resolve => setTimeout(resolve, 100));
+// Asks the asset for its parts while nobody has touched it yet. A touch before waits for the answer.
+async function askParts(mine) {
+    const several = mine.asset.pieceCount > 1;
+    showHint(several ? 'Looking for what moves' : 'Pull on the lid: it is found from the shape');
+    busy(true);
+    try {
+        await solver.ready;
         if (mine !== parts) return;
-        await mine.find(face, mine.middleOf(face)).catch(report);
+        await mine.rig(share => { if (mine === parts) showHint(`Looking for what moves: ${Math.round(100 * share)} %`); });
+    } catch (error) {
+        if (mine === parts) report(error);
+    } finally {
+        busy(false);
     }
+    if (mine !== parts) return;
+    if (several) showHint(mine.list.length ? 'Pull on something that opens' : 'Nothing here seems to move. Tap a piece to say that it does.');
+    wake();
     document.body.dataset.ready = String(opened);
 }
 
@@ -82,7 +87,7 @@ async function openFile(file) {
     try {
         const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder);
         const gltf = await loader.parseAsync(await file.arrayBuffer(), '');
-        show(readAsset(gltf.scene, file.name.replace(/\.[^.]+$/, ''), gltf.parser.associations));
+        show(readAsset(gltf.scene, file.name.replace(/\.[^.]+$/, ''), gltf));
         setPressed(null);
     } catch (error) {
         const draco = /DRACOLoader/.test(error.message);
@@ -153,6 +158,20 @@ function forget(part) {
     wake();
 }
 
+// Says that what was tapped stays, and lets the user say that it does not.
+function sayFixed({ face }) {
+    const mine = parts, name = mine.pieceName(face);
+    say(`${name} stays.`, 'It moves', async () => {
+        busy(true);
+        const part = await mine.tell(face).catch(report);
+        busy(false);
+        if (mine !== parts) return;
+        if (part) select(part);
+        else say(`Nothing tells how ${name} would move.`);
+        wake();
+    });
+}
+
 // ---- pointers ------------------------------------------------------------------------------------------------------------------
 
 const pressed = new Map(); // pointer id -> { x, y, startX, startY, mode: 'asking' | 'pulling' | 'turning', part, moved }
@@ -165,7 +184,8 @@ function press(event) {
     const hit = pressed.size === 0 ? stage.hit(pointer.x, pointer.y, parts.figure.root) : null;
     pressed.set(event.pointerId, pointer);
     if (pressed.size > 1) for (const each of pressed.values()) letGo(each); // two fingers turn and zoom
-    if (hit && !parts.isBody(hit.face)) take(pointer, hit);
+    if (hit && parts.isFixed(hit.face)) pointer.fixed = hit;
+    else if (hit) take(pointer, hit);
     cursor();
     wake();
 }
@@ -186,6 +206,8 @@ async function take(pointer, hit) {
     if (mine !== parts || pointer.mode !== 'asking') return;
     if (!part) {
         pointer.mode = 'turning';
+        if (mine.isFixed(hit.face)) pointer.fixed = hit;
+        if (pointer.fixed && pointer.lifted && !pointer.moved) sayFixed(hit);
         cursor();
         return;
     }
@@ -228,7 +250,10 @@ function lift(event) {
     pointer.lifted = true;
     if (pointer.mode === 'pulling' && !pointer.moved) pointer.part.release(Go.STAY);
     else letGo(pointer);
-    if (pointer.mode === 'turning' && !pointer.moved) select(null);
+    if (pointer.mode === 'turning' && !pointer.moved) {
+        select(null);
+        if (pointer.fixed) sayFixed(pointer.fixed);
+    }
     cursor();
     wake();
 }
@@ -249,7 +274,7 @@ function lookUnder() {
     const hit = stage.hit(hovered.x, hovered.y, parts.figure.root);
     hovered = null;
     const part = hit ? parts.byId(hit.mesh.userData.owner) : null;
-    const movable = hit && !parts.isBody(hit.face);
+    const movable = hit && !parts.isFixed(hit.face);
     canvas.classList.toggle('over', Boolean(movable));
     over = part;
 }
@@ -316,6 +341,7 @@ async function findAtMiddle() {
     const bounds = canvas.getBoundingClientRect(), hit = stage.hit(bounds.left + bounds.width / 2, bounds.top + bounds.height / 2, parts.figure.root);
     const part = hit && await parts.find(hit.face, hit.point).catch(report);
     if (part) select(part);
+    else if (hit && parts.isFixed(hit.face)) sayFixed(hit);
     else say('Nothing that moves is in the middle. Turn the object with the arrow keys, then press F.');
 }
 
@@ -387,11 +413,16 @@ function glow(dt) {
 const accent = () => getComputedStyle(document.documentElement).getPropertyValue('--accent').trim();
 
 let saying = 0;
-function say(text) {
-    $('#message').textContent = text;
-    $('#message').classList.add('shown');
+// Shows a message for a while; with a button that does something, where there is one.
+function say(text, label, act) {
+    const message = $('#message'), button = document.createElement('button');
+    message.textContent = text;
+    if (label) message.append(button);
+    button.textContent = label;
+    button.onclick = () => { message.classList.remove('shown'); act(); };
+    message.classList.add('shown');
     clearTimeout(saying);
-    saying = setTimeout(() => $('#message').classList.remove('shown'), MESSAGE_TIME);
+    saying = setTimeout(() => message.classList.remove('shown'), label ? 2 * MESSAGE_TIME : MESSAGE_TIME);
 }
 
 function report(error) {

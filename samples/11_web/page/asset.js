@@ -1,18 +1,12 @@
 // Turns a scene of three.js into what dragmesh reads: one mesh in the object frame, whose pieces are the scene's nodes. The frame
 // is the scene's own, so that poses apply to what is drawn as they are.
 import { Box3, BufferAttribute, BufferGeometry, Group, Mesh, Vector3 } from './three/three.module.min.js';
-
-// A piece smaller than this share of one beside it, touching it, goes with it: a handle with its door. By hand.
-const SMALL = 0.4;
-// Boxes nearer than this share of the larger one's diagonal touch. By hand.
-const TOUCHING = 0.02;
-// Pieces larger than this share of the largest are about as large. By hand.
-const NEARLY = 0.8;
+import { isLeftOut, listNodes, nameOf } from './nodes.js';
 
 /** What a node is called, from the scene down, and its frame: evidence of how it moves. */
 function hintsOf(node, scene) {
     const names = [];
-    for (let up = node; up && up !== scene; up = up.parent) if (up.name) names.unshift(up.name);
+    for (let up = node; up && up !== scene; up = up.parent) if (up.name) names.unshift(nameOf(up));
     const m = node.matrixWorld.elements;
     return { names: names.join('/'), pivot: { origin: [m[12], m[13], m[14]], axes: [...m.slice(0, 3), ...m.slice(4, 7), ...m.slice(8, 11)] } };
 }
@@ -57,24 +51,25 @@ function piecesOf(mesh, node, faceCount) {
     });
 }
 
-/** Reads a scene. associations: of GLTFLoader's parser, where there is one. */
-export function readAsset(scene, name, associations) {
+/** Reads a scene. gltf: what GLTFLoader has loaded, where it has. */
+export function readAsset(scene, name, gltf) {
     scene.updateMatrixWorld(true);
-    const surfaces = [], nodes = new Map(), pieces = [];
+    const surfaces = [], nodes = new Map(), pieces = [], ownerOf = mesh => nodeOf(mesh, gltf?.parser.associations);
     scene.traverseVisible(mesh => {
-        if (!mesh.isMesh || !mesh.geometry.attributes.position) return;
+        if (!mesh.isMesh || !mesh.geometry.attributes.position || isLeftOut(ownerOf(mesh))) return;
         const geometry = bake(mesh), faceCount = Math.floor(geometry.index.count / 3);
         if (faceCount === 0) return;
-        const owners = piecesOf(mesh, nodeOf(mesh, associations), faceCount);
+        const owners = piecesOf(mesh, ownerOf(mesh), faceCount);
         const first = pieces.length;
         for (const node of owners) {
-            if (!nodes.has(node)) nodes.set(node, { node, index: nodes.size, firstFace: pieces.length, box: new Box3(), ...hintsOf(node, scene) });
+            if (!nodes.has(node)) nodes.set(node, { node, index: nodes.size, ...hintsOf(node, scene) });
             pieces.push(nodes.get(node).index);
         }
         surfaces.push({ geometry, material: mesh.material, name: mesh.name, first, faceCount });
     });
     if (surfaces.length === 0) throw new Error('There is no mesh in this file.');
-    return assemble(name, surfaces, [...nodes.values()], pieces);
+    const pieceOf = new Map([...nodes].map(([node, { index }]) => [node, index]));
+    return { ...assemble(name, surfaces, [...nodes.values()], pieces), nodes: listNodes(scene, pieceOf, ownerOf, gltf) };
 }
 
 function assemble(name, surfaces, pieceList, pieceOfFace) {
@@ -86,37 +81,9 @@ function assemble(name, surfaces, pieceList, pieceOfFace) {
         for (let i = 0; i < 3 * faceCount; i++) indices[3 * first + i] = vertex + geometry.index.array[i];
         vertex += geometry.attributes.position.count;
     }
-    const point = new Vector3();
-    pieceOfFace.forEach((piece, face) => {
-        for (let k = 0; k < 3; k++) pieceList[piece].box.expandByPoint(point.fromArray(positions, 3 * indices[3 * face + k]));
-    });
-    const joined = join(pieceList);
-    const pieces = Uint16Array.from(pieceOfFace, piece => joined[piece] + 1);
     const box = new Box3().setFromArray(positions);
-    return { name, surfaces, positions, indices, pieces, pieceList, pieceCount: new Set(joined).size, box,
-        size: Math.max(...box.getSize(new Vector3()).toArray()), body: bodyOf(pieceList) };
-}
-
-const diagonal = piece => piece.box.getSize(new Vector3()).length();
-// The body is the largest piece; of those about as large, the one that stands lowest.
-function bodyOf(list) {
-    const most = Math.max(...list.map(diagonal));
-    return list.filter(piece => diagonal(piece) > NEARLY * most).reduce((best, piece) => (middle(piece) < middle(best) ? piece : best)).index;
-}
-const middle = ({ box }) => (box.min.y + box.max.y) / 2;
-const largest = list => list.reduce((best, piece) => (diagonal(piece) > diagonal(best) ? piece : best)).index;
-
-// Which piece each one goes with: itself, or a larger one of its group that it touches.
-function join(list) {
-    const body = list[bodyOf(list)];
-    const holdsBody = group => { for (let up = body.node; up; up = up.parent) if (up === group) return true; return false; };
-    return list.map(piece => {
-        const group = piece.node.parent;
-        if (piece === body || !group || group === body.node || holdsBody(group)) return piece.index;
-        const beside = list.filter(other => other !== piece && (other.node === group || other.node.parent === group) &&
-            diagonal(piece) < SMALL * diagonal(other) && piece.box.clone().expandByScalar(TOUCHING * diagonal(other)).intersectsBox(other.box));
-        return beside.length ? largest(beside) : piece.index;
-    });
+    return { name, surfaces, positions, indices, pieces: Uint16Array.from(pieceOfFace), pieceList, pieceCount: pieceList.length, box,
+        size: Math.max(...box.getSize(new Vector3()).toArray()) };
 }
 
 /** Draws an asset: one mesh for each surface and owner of its faces. owners: a number a face; 0 = the body. */

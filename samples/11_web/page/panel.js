@@ -45,6 +45,7 @@ function number(joint, value) {
 // How sure the joint in force is, and where it comes from. What the user says needs no number.
 function trust(part) {
     const { confidence, basis } = part, told = basis === JointBasis.HOST || basis === JointBasis.CHOSEN;
+    if (part.isStated && basis !== JointBasis.CHOSEN) return 'as the file says';
     if (!told && isGuess(part)) return 'a guess: weights are missing';
     return told ? origins[basis] : `${Math.round(confidence * 100)} % sure, ${origins[basis]}`;
 }
@@ -100,7 +101,8 @@ export class Panel {
         const part = this.#part;
         if (!part) return;
         const { joint, value } = part, [from, to] = this.#range();
-        this.$('.kind').textContent = `${nouns[joint.type]} · ${trust(part)}`;
+        const noun = part.isFree && joint.type === JointType.PRISMATIC ? 'Loose, lifts off' : nouns[joint.type];
+        this.$('.kind').textContent = `${noun} · ${trust(part)}`;
         this.$('.before').hidden = !part.before;
         this.$('.value').textContent = number(joint, value);
         const share = Math.min(1, Math.max(0, (value - from) / (to - from || 1)));

@@ -1,6 +1,7 @@
 // The parts of the asset: their faces, joints and poses, and the drag that moves one of them.
 import { Matrix4, Ray, Vector3 } from './three/three.module.min.js';
-import { DragFlag, DragPhase, Go, HandKind, JointBasis, JointSource, JointType } from './dragmesh/dragmesh.js';
+import { nameOf } from './nodes.js';
+import { AssetBasis, AssetState, DragFlag, DragPhase, Go, HandKind, JointBasis, JointSource, JointType } from './dragmesh/dragmesh.js';
 
 // A found part of more faces than this share of a mesh without pieces is the body. By hand.
 const BODY_SHARE = 0.75;
@@ -18,11 +19,16 @@ export class Part {
     before = null; // the state from before the pulls that have put another joint in force; null: none has
     #taken = null; // the state in which the hand took the part
 
+    // answer.object: that of the whole asset, of which this is part answer.partId; without it answer.data is one of this part alone.
     constructor(parts, id, name, answer) {
-        Object.assign(this, { parts, id, name, faces: answer.faces, hypotheses: answer.hypotheses, degraded: answer.degraded, times: answer.times });
-        this.object = parts.context.loadObject(answer.data);
+        const { faces, hypotheses, degraded, times, object, partId = 1, state, basis } = answer;
+        Object.assign(this, { parts, id, name, faces, hypotheses, degraded, times, partId });
+        this.isFree = state === AssetState.FREE;
+        this.isStated = basis === AssetBasis.FROM_FILE || basis === AssetBasis.FROM_CLIP; // by the file
+        this.isShared = Boolean(object);
+        this.object = object ?? parts.context.loadObject(answer.data);
         this.#stand({ value: 0, pose: rest, joint: answer.joint }, JointBasis.PREPARED);
-        this.info = this.object.parts[0];
+        this.info = this.object.parts.find(part => part.id === partId) ?? this.object.parts[0];
     }
 
     get joint() {
@@ -59,7 +65,7 @@ export class Part {
     #begin(options) {
         this.#changes = 0;
         this.#taken = structuredClone(this.state);
-        this.drag = this.object.beginDrag({ partId: 1, state: this.state, limitGive: LIMIT_GIVE, rules: { driveSpeed: KEY_SPEED }, ...options });
+        this.drag = this.object.beginDrag({ partId: this.partId, state: this.state, limitGive: LIMIT_GIVE, rules: { driveSpeed: KEY_SPEED }, ...options });
     }
 
     follow(ray, dt) {
@@ -138,7 +144,7 @@ export class Part {
     }
 
     reset() {
-        this.#put({ value: 0, pose: rest, joint: this.object.joint(1) }, JointBasis.PREPARED);
+        this.#put({ value: 0, pose: rest, joint: this.object.joint(this.partId) }, JointBasis.PREPARED);
     }
 
     /** The end of the range that is farther from rest; a quarter turn, or half the part's size, where there is none. */
@@ -149,7 +155,8 @@ export class Part {
     }
 
     destroy() {
-        this.object.destroy(); // its drags end with it
+        this.letGo();
+        if (!this.isShared) this.object.destroy();
     }
 }
 
@@ -161,53 +168,96 @@ export class Parts {
     constructor(dragmesh, context, solver, asset, figure, changed) {
         Object.assign(this, { dragmesh, context, solver, asset, figure, changed });
         this.owners = new Uint16Array(asset.pieces.length);
-        this.asked = new Map(); // what has been asked of each piece: a promise of a part, or of null for the body
+        this.asked = new Map(); // what has been asked of each face, or told of each piece: a promise of a part, or of null
+        this.staying = []; // lists of pieces that might move as one, but probably do not
+        this.isKnown = asset.pieceCount === 1; // whether the asset has told its parts
+        this.object = null; // of all parts that the asset has told
+        this.isGone = false;
         solver.open(asset);
+    }
+
+    /** Asks which of the pieces move, which of them as one, and how. A file of one piece is asked where it is touched. */
+    rig(progress) {
+        this.rigged ??= this.asset.pieceCount > 1 ? this.#rig(progress).finally(() => { this.isKnown = true; }) : Promise.resolve();
+        return this.rigged;
+    }
+
+    async #rig(progress) {
+        const { parts, data } = await this.solver.solve({ rig: true, label: this.asset.name }, progress);
+        if (this.isGone) return;
+        this.object = data && this.context.loadObject(data);
+        this.staying = parts.filter(part => part.state === AssetState.STAYS).map(part => this.#piecesOf(part));
+        const made = new Map(); // index in the asset -> part
+        parts.forEach((answer, index) => {
+            if (answer.state === AssetState.STAYS) return;
+            const pieces = new Set(this.#piecesOf(answer)), faces = Uint8Array.from(this.asset.pieces, piece => Number(pieces.has(piece)));
+            const part = new Part(this, this.#next++, niceName(this.#nameOf(answer)) || `Part ${this.#next - 1}`, { ...answer, faces, object: this.object });
+            faces.forEach((mark, face) => { if (mark) this.owners[face] = part.id; });
+            made.set(index, part);
+            this.list.push(part);
+        });
+        for (const [index, part] of made) part.parent = made.get(parts[index].parent) ?? null;
+        this.figure.build(this.owners);
+        this.list.forEach(part => { this.pose(part, part.state.pose); this.changed(part); });
+    }
+
+    #piecesOf(part) {
+        return part.nodes.map(node => this.asset.nodes[node].piece).filter(piece => piece !== null);
+    }
+
+    // A part is called as the highest of its nodes that is above the one with the most faces.
+    #nameOf({ nodes }) {
+        const list = this.asset.nodes, count = new Uint32Array(this.asset.pieceCount);
+        for (const piece of this.asset.pieces) count[piece]++;
+        const faces = node => (list[node].piece === null ? 0 : count[list[node].piece]);
+        let top = nodes.reduce((best, node) => (faces(node) > faces(best) ? node : best));
+        while (nodes.includes(list[top].parent)) top = list[top].parent;
+        return list[top].name ?? '';
     }
 
     byId(id) {
         return this.list.find(part => part.id === id) ?? null;
     }
 
-    /** Whether a face can't belong to a part: the largest of several pieces is the body. */
-    isBody(face) {
-        return this.asset.pieceCount > 1 && this.asset.pieces[face] === this.#bodyPiece;
+    /** Whether a face is known to belong to no part. */
+    isFixed(face) {
+        return this.isKnown && this.asset.pieceCount > 1 && this.owners[face] === 0;
     }
 
-    get #bodyPiece() {
-        return this.asset.pieces[this.asset.pieceList[this.asset.body].firstFace];
-    }
-
-    /** A point inside a face, at rest. */
-    middleOf(face) {
-        const { positions, indices } = this.asset, middle = new Vector3();
-        for (let k = 0; k < 3; k++) middle.add(new Vector3().fromArray(positions, 3 * indices[3 * face + k]));
-        return middle.divideScalar(3);
+    /** What a face that stays is called. */
+    pieceName(face) {
+        return niceName(nameOf(this.asset.pieceList[this.asset.pieces[face]].node)) || 'This piece';
     }
 
     /** The part at a face, found out once; null where nothing moves. point: of the scene, on the part at rest. */
-    find(face, point) {
+    async find(face, point) {
+        await this.rig().catch(() => null); // who asked first says why
         const owner = this.byId(this.owners[face]);
-        if (owner) return Promise.resolve(owner);
-        if (this.isBody(face)) return Promise.resolve(null);
-        const several = this.asset.pieceCount > 1, key = several ? this.asset.pieces[face] : face;
-        if (!this.asked.has(key)) this.asked.set(key, this.#ask(face, point, several));
-        return this.asked.get(key);
+        if (owner || this.asset.pieceCount > 1) return owner;
+        if (!this.asked.has(face)) this.asked.set(face, this.#ask({ find: { point: point.toArray(), vector: [0, 0, 0] } }, ''));
+        return this.asked.get(face);
     }
 
-    async #ask(face, point, several) {
-        const piece = this.asset.pieceList[this.asset.pieces[face] - 1];
-        const hints = several ? { names: piece.names, pivot: piece.pivot } : {};
+    /** Makes a part of what stays at a face: those pieces that would move with it. */
+    tell(face) {
+        const piece = this.asset.pieces[face], { node, names, pivot } = this.asset.pieceList[piece];
+        const free = each => !this.asset.pieces.some((other, at) => other === each && this.owners[at] !== 0);
+        const pieces = (this.staying.find(each => each.includes(piece)) ?? [piece]).filter(free);
+        if (!this.asked.has(piece)) this.asked.set(piece, this.#ask({ pieces, names, pivot }, nameOf(node) || names));
+        return this.asked.get(piece);
+    }
+
+    async #ask(question, name) {
         let answer;
         try {
-            answer = await this.solver.solve({ find: { point: point.toArray(), vector: [0, 0, 0] }, label: this.asset.name, ...hints });
+            answer = await this.solver.solve({ ...question, label: this.asset.name });
         } catch (error) {
             if (['DM_ERROR_FULL_MASK', 'DM_ERROR_EMPTY_MASK', 'DM_ERROR_DRAG_OFF_PART'].includes(error.code)) return null;
             throw error;
         }
         const share = answer.faces.reduce((sum, mark) => sum + mark, 0) / answer.faces.length;
-        if (!several && share > BODY_SHARE) return null;
-        return this.#add(answer, several ? piece.node.name || piece.names : '');
+        if (this.isGone || (!question.pieces && share > BODY_SHARE)) return null;
+        return this.#add(answer, name);
     }
 
     // Faces inside another part make a part carried by it; a part around others carries them.
@@ -234,7 +284,13 @@ export class Parts {
         this.list = this.list.filter(each => each !== part);
         for (const each of this.list) if (each.parent === part) each.parent = part.parent;
         this.owners.forEach((owner, face) => { if (owner === part.id) this.owners[face] = part.parent?.id ?? 0; });
-        for (const [key, promise] of this.asked) promise.then(found => { if (found === part) this.asked.set(key, Promise.resolve(null)); });
+        for (const [key, promise] of this.asked) {
+            promise.then(found => {
+                if (found !== part) return;
+                if (this.asset.pieceCount > 1) this.asked.delete(key); // it may be told again
+                else this.asked.set(key, Promise.resolve(null));
+            });
+        }
         part.destroy();
         this.figure.build(this.owners);
         this.list.forEach(each => this.pose(each, each.state.pose));
@@ -262,7 +318,9 @@ export class Parts {
     }
 
     destroy() {
+        this.isGone = true;
         this.list.forEach(part => part.destroy());
+        this.object?.destroy();
     }
 }
 

@@ -16,21 +16,25 @@ export class Solver {
         });
     }
 
-    open({ positions, indices, pieces, pieceCount }) {
-        this.#worker.postMessage({ open: { positions, indices, pieces, pieceCount } });
+    open({ positions, indices, pieces, pieceCount, nodes }) {
+        this.#worker.postMessage({ open: { positions, indices, pieces, pieceCount, nodes } });
     }
 
-    /** Finds the part at a point, and its joint. Rejects with the library's error. */
-    solve(question) {
+    /** Asks for the parts of the whole asset, or for one part, with joints. Rejects with the library's error. */
+    solve(question, progress = () => {}) {
         const id = this.#next++;
         return new Promise((resolve, reject) => {
-            this.#waiting.set(id, { resolve, reject });
+            this.#waiting.set(id, { resolve, reject, progress });
             this.#worker.postMessage({ id, ...question });
         });
     }
 
-    #answer({ id, error, ...answer }) {
-        const { resolve, reject } = this.#waiting.get(id);
+    #answer({ id, error, progress, ...answer }) {
+        const { resolve, reject, progress: tell } = this.#waiting.get(id);
+        if (progress !== undefined) {
+            tell(progress);
+            return;
+        }
         this.#waiting.delete(id);
         if (error) reject(Object.assign(new Error(error.message), { code: error.code }));
         else resolve(answer);
