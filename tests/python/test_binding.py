@@ -212,7 +212,7 @@ class Files(unittest.TestCase):
             self.assertIsInstance(gltf.pivots_are_lost, bool)
             self.assertTrue(label.endswith("drawer") and axes.shape == (3, 3) and np.isfinite(origin).all())
             thing = dragmesh.prepare_gltf(context, gltf, context.load_shipped_model(), "kitchen")
-            joint = thing.joint(2)
+            joint = thing.joint(1)
             self.assertEqual(joint.type, dragmesh.JointType.PRISMATIC)
             poses = [dragmesh.joint_pose(joint, joint.upper * t) for t in (0, 0.5, 1)]
             data = gltf.export([{"face_ids": ids, "value": 1, "poses": poses, "times": [0, 1, 2], "name": "drawer moves"}])
@@ -223,7 +223,7 @@ class Files(unittest.TestCase):
             mask = gltf.read_mask(json.dumps(ids.tolist()).encode())
             self.assertEqual(mask.tolist(), ids.tolist())
             self.assertGreater(len(gltf.surfaces()), 0)
-            motion = thing.motion(2, (thing.parts()[0].centre, joint.axis))
+            motion = thing.motion(1, (thing.parts()[0].centre, joint.axis))
             self.assertEqual(len(motion.frames()[0]), native.DM_MOTION_FRAMES)
 
     def test_writes_meshes(self):
@@ -271,6 +271,10 @@ class Rigs(unittest.TestCase):
             asset = dragmesh.rig_gltf(context, gltf, min_moves=0.01)
             self.assertEqual(len(asset.node_parts()), len(gltf.asset_nodes()))
             self.assertGreater(asset.info().part_count, 0)
+            self.assertEqual(dragmesh.part_names(asset, gltf)[0], "drawer")
+            with dragmesh.Gltf(DRAWER) as again, dragmesh.prepare_gltf(context, again) as thing:
+                moving = dragmesh.rig_gltf(context, gltf).info().moving_count
+                self.assertEqual([part.id for part in thing.parts()], list(range(1, moving + 1)))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """dragmesh: makes any 3D object openable. A typed layer over dragmesh.h; arrays are numpy's, and everything is in the
 host's own frame and units. lab.py is for training."""
-from .assets import prepare_gltf
+from .assets import part_names, prepare_gltf
 from .context import Context
 from .gltf import Gltf, write_glb
 from .native import Camera, Hit, Hypothesis, Joint, JointFrame, PartInfo, PartState, Pose, Ray, Vec3
@@ -17,4 +17,4 @@ __all__ = ["Asset", "Axes", "Camera", "Context", "Drag", "Error", "Event", "Gltf
            "Phase", "Picking", "Pose", "Ray", "Rule", "Scene", "Status", "StepFlag", "Vec3", "joint_frame", "joint_pose",
            "joint_scaled", "joint_value", "joint_value_at", "load", "pose_apply",
            "pose_from_rotation", "pose_inverse", "pose_matrix", "pose_multiply",
-           "prepare_gltf", "rig", "rig_gltf", "version", "whole_file", "write_glb", "write_together", "write_whole"]
+           "part_names", "prepare_gltf", "rig", "rig_gltf", "version", "whole_file", "write_glb", "write_together", "write_whole"]

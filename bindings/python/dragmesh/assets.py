@@ -1,63 +1,30 @@
-"""Objects from files whose nodes are their parts."""
-from typing import Any, Dict, List, Optional
-
-import numpy as np
+"""Objects of files that are taken as whole assets."""
+from typing import List, Optional
 
 from . import native as n
 from .context import Context
-from .gltf import Gltf, Node
+from .gltf import Gltf
 from .objects import Model, Object
-from .values import Error
-
-
-def _largest(nodes: List[Node], points: np.ndarray) -> int:
-    """The node with the largest box, most likely the body."""
-    sides = [np.ptp(points[node.vertices], axis=0) if node.vertices.start < node.vertices.stop else np.zeros(3)
-             for node in nodes]
-    return int(np.argmax([float(side @ side) for side in sides]))
-
-
-def _firsts(nodes: List[Node]) -> List[int]:
-    """For each entry the first one of the same node or bone: a bone may have several."""
-    seen: Dict[int, int] = {}
-    return [seen.setdefault(node.node, index) for index, node in enumerate(nodes)]
-
-
-def _parts(gltf: Gltf, nodes: List[Node], body: int, label: Optional[str]) -> List[Dict[str, Any]]:
-    """Every node but the body is a part, with its name, pivot and carrier as hints."""
-    first = _firsts(nodes)
-    parts = []
-    for index, node in enumerate(nodes):
-        if first[index] != index or first[body] == index:
-            continue
-        carrier = None if node.carrier is None else first[node.carrier]
-        names, pivot = gltf.hints(f"#{node.node}")
-        parts.append({"id": index + 1, "parent": 0 if carrier in (None, first[body]) else carrier + 1,
-                      "label": _cut(f"{label}/{names}" if label else names),
-                      "pivot": None if gltf.pivots_are_lost else pivot})
-    return parts
-
-
-def _ids(nodes: List[Node], body: int, face_count: int) -> np.ndarray:
-    """One part id a face: 1 + the node's place, 0 for the body."""
-    ids, first = np.zeros(face_count, np.uint32), _firsts(nodes)
-    for index, node in enumerate(nodes):
-        ids[node.faces] = 0 if first[index] == first[body] else first[index] + 1
-    return ids
-
-
-def _cut(label: str) -> str:
-    """As much of a label as the library takes, without half a character."""
-    return label.encode()[:n.DM_MAX_LABEL].decode(errors="ignore")
+from .rigs import Asset, rig_gltf
 
 
 def prepare_gltf(context: Context, gltf: Gltf, model: Optional[Model] = None, label: Optional[str] = None) -> Object:
-    """Prepares a file: every node is a part but the one with the largest box, which is the body; part id = index of the
-    Node + 1. Names, pivots and what carries what are hints. label: of the whole, such as the file's name."""
-    nodes = gltf.nodes()
-    points, faces = gltf.mesh()
-    body = _largest(nodes, points)
-    parts = _parts(gltf, nodes, body, label)
-    if not parts:
-        raise Error("DM_ERROR_FULL_MASK", n.DM_ERROR_FULL_MASK, "the file has one node: nothing moves against it")
-    return context.prepare(points, faces, _ids(nodes, body, len(faces)), parts, model, picking=True)
+    """Prepares a file as `dragmesh prepare` does: the asset says which nodes move, and which of them as one. rig_gltf gives
+    the asset itself, whose parts these are: part id = index of the part + 1. label: of the whole, such as the file's name.
+    DM_ERROR_EMPTY_MASK: nothing moves."""
+    with rig_gltf(context, gltf, model, label) as asset:
+        return asset.make_object()
+
+
+def part_names(asset: Asset, gltf: Gltf) -> List[str]:
+    """What the parts of a file's asset are called: as the highest of a part's nodes above the one with the most triangles."""
+    nodes, count = gltf.asset()
+    names, parts = gltf.asset_nodes(), asset.node_parts()
+    size = [nodes[index].mesh.contents.index_count if nodes[index].mesh else 0 for index in range(count)]
+    found = []
+    for part in range(len(asset.parts())):
+        top = max(asset.part_nodes(part), key=lambda node: (size[node], -node))
+        while nodes[top].parent != n.DM_ASSET_NO_NODE and parts[nodes[top].parent] == part:
+            top = nodes[top].parent
+        found.append(names[top][0])
+    return found

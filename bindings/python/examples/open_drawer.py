@@ -7,7 +7,8 @@ import dragmesh
 
 source, target = sys.argv[1:]
 with dragmesh.Context() as context, dragmesh.Gltf(source) as gltf:
-    thing = dragmesh.prepare_gltf(context, gltf, context.load_shipped_model())
+    asset = dragmesh.rig_gltf(context, gltf, context.load_shipped_model())  # which nodes move, and which of them as one
+    thing = asset.make_object()
     part = thing.parts()[0]
     centre = np.array(list(part.centre))
     drag = thing.drag(part.id, centre, rules={})  # at a hit's object_point
@@ -21,6 +22,6 @@ with dragmesh.Context() as context, dragmesh.Gltf(source) as gltf:
         times.append(frame / 60)
     kept = drag.end()  # what the instance saves
     faces = np.zeros(gltf.face_count(), np.uint8)
-    gltf.mark_faces([f"#{gltf.nodes()[part.id - 1].node}"], 1, faces)
+    gltf.mark_faces([f"#{gltf.asset_nodes()[node][1]}" for node in asset.part_nodes(part.id - 1)], 1, faces)
     dragmesh.write_whole(target, gltf.export([{"face_ids": faces, "value": 1, "poses": poses, "times": times}]))
     print(f"{dragmesh.JointType(kept.joint.type).name} at {kept.value:.2f}, {events!r}")

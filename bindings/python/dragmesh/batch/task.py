@@ -5,9 +5,9 @@ import time
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 from .. import native as n
-from ..assets import prepare_gltf
+from ..assets import part_names
 from ..context import Context
-from ..gltf import Gltf, Node
+from ..gltf import Gltf
 from ..objects import Model, Object
 from ..rigs import Asset, rig_gltf
 from ..values import Error, JointType
@@ -37,12 +37,12 @@ def _context() -> Tuple[Context, Model]:
     return _contexts[key]
 
 
-def _describe(prepared: Object, nodes: List[Node]) -> List[Dict[str, Any]]:
+def _describe(prepared: Object, names: List[str]) -> List[Dict[str, Any]]:
     """What was found of each part."""
     found = []
     for part in prepared.parts():
         joint = prepared.joint(part.id)
-        found.append({"id": part.id, "parent": part.parent, "name": nodes[part.id - 1].name,
+        found.append({"id": part.id, "parent": part.parent, "name": names[part.id - 1],
                       "type": JointType(joint.type).name.lower(), "axis": list(joint.axis), "origin": list(joint.origin),
                       "lower": joint.lower, "upper": joint.upper, "confidence": joint.joint_confidence})
     return found
@@ -50,8 +50,9 @@ def _describe(prepared: Object, nodes: List[Node]) -> List[Dict[str, Any]]:
 
 def _prepare(path: str) -> Tuple[List[Dict[str, Any]], bytes]:
     context, model = _context()
-    with Gltf(path) as gltf, prepare_gltf(context, gltf, model, os.path.splitext(os.path.basename(path))[0]) as prepared:
-        return _describe(prepared, gltf.nodes()), prepared.save()
+    label = os.path.splitext(os.path.basename(path))[0]
+    with Gltf(path) as gltf, rig_gltf(context, gltf, model, label) as asset, asset.make_object() as prepared:
+        return _describe(prepared, part_names(asset, gltf)), prepared.save()
 
 
 def _plain(joint: n.Joint, origin: Sequence[float]) -> Dict[str, Any]:
