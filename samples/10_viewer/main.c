@@ -20,7 +20,7 @@ static const char* const usage =
     "  --scene NAME            a scene of samples/12_latch in place of a file: house_door, double_door, safe, "
     "drawers,\n"
     "                          hatch, gears, blocked_door, two_hands; E: its own hands play it\n"
-    "  --part NODE[,NODE...]   nodes that move as one; repeat it; without it every node but the largest is a part\n"
+    "  --part NODE[,NODE...]   nodes that move as one; repeat it; without it the library says what moves\n"
     "  --dmo FILE.dmo          use this prepared object; --save FILE.dmo: where S saves (beside the .glb)\n"
     "  --models DIR|none       folder with the weights; without it DRAGMESH_MODELS, then beside the program\n"
     "  --up y|z                the file's up axis (y, as glTF says)\n"

@@ -31,7 +31,9 @@ static void write_value(const world_part* part, char* out, size_t room) {
 static void write_trust(const world* world, const world_part* part, char* out, size_t room) {
     static const char* const words[] = {"as prepared", "by your pull", "as you say", "your choice"};
     const double sure = 100 * (double)part->state.joint.joint_confidence;
-    if (part->basis == DM_BASIS_HOST || part->basis == DM_BASIS_CHOSEN)
+    if (part->is_stated && part->basis == DM_BASIS_HOST)
+        snprintf(out, room, "as the file says");
+    else if (part->basis == DM_BASIS_HOST || part->basis == DM_BASIS_CHOSEN)
         snprintf(out, room, "%s", words[part->basis]);
     else if (world->info.degraded & (DM_DEGRADED_NO_KINEMATICS | DM_DEGRADED_NO_RANKER))
         snprintf(out, room, "a guess: weights are missing");
@@ -43,7 +45,9 @@ static void write_part(const world* world, const world_part* part, char* out, si
     char value[32], trust[32];
     write_value(part, value, sizeof value);
     write_trust(world, part, trust, sizeof trust);
-    snprintf(out, room, "%.28s:  %s, %s,  %s", part->name, type_name(part->state.joint.type), trust, value);
+    const int lifts = part->is_free && part->state.joint.type == DM_JOINT_PRISMATIC;
+    snprintf(out, room, "%.28s:  %s, %s,  %s", part->name,
+             lifts ? "loose, lifts off" : type_name(part->state.joint.type), trust, value);
 }
 
 /* Lines of text on a dark ground, the first one bright. */

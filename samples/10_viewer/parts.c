@@ -129,6 +129,11 @@ void parts_from_nodes(world* world) {
     find_carriers(world);
 }
 
+void parts_clear(world* world) {
+    memset(world->face_part, 0, world->face_count);
+    world->part_count = 0;
+}
+
 void parts_toggle_node(world* world, uint32_t face) {
     dm_gltf_node node;
     if (dm_gltf_get_node(world->gltf, parts_node_of_face(world, face), &node) != DM_OK) return;

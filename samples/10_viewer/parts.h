@@ -7,8 +7,16 @@
 /* Assigns parts from lists of nodes: a list inside another is a part carried by it. */
 int parts_from_names(world* world, const char* const* lists, uint32_t count);
 
-/* Assigns every node but the largest, which is the body, to a part of its own. */
+/* Asks the library which nodes of the file move, and which of them as one: those are the parts. With `prepare` the
+ * world's object becomes the one that the library makes of them; where nothing moves there is none, and the message
+ * says so. Returns 0, or -1 with a line in message. */
+int parts_from_asset(world* world, const char* file, int prepare);
+
+/* Assigns every node but the largest, which is the body, to a part of its own, as viewers before 0.3 did. */
 void parts_from_nodes(world* world);
+
+/* Forgets all parts. */
+void parts_clear(world* world);
 
 /* From FILE.parts.npy, as parts_encode made it. */
 int parts_load(world* world, const char* path);

@@ -35,6 +35,8 @@ static double seconds_now(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+static int adopt(world* world);
+
 /* ---- opening ---- */
 
 static char* read_weights(const char* folder, const char* name, size_t* out_size) {
@@ -97,7 +99,39 @@ static int open_file(world* world, const char* path) {
     return 0;
 }
 
-/* What may move: as told, else as saved beside the file, else every node but the largest. */
+/* Whether the parts have as many faces as those of a prepared object. */
+static bool parts_fit(world* world, dm_object object) {
+    dm_object_info info = {.struct_size = sizeof info};
+    bool fits = dm_object_get_info(world->context, object, &info) == DM_OK && info.part_count == world->part_count;
+    for (uint32_t i = 0; i < info.part_count && fits; i++) {
+        dm_part_info part = {.struct_size = sizeof part};
+        uint32_t faces = 0;
+        fits = dm_object_get_part(world->context, object, i, &part) == DM_OK;
+        for (uint32_t f = 0; f < world->face_count; f++) faces += world->face_part[f] == part.id;
+        fits = fits && faces == part.triangle_count;
+    }
+    return fits;
+}
+
+/* The parts of a prepared object, which does not say whose nodes are whose: those of the asset, else every node but the
+ * largest. */
+static int find_parts_of_dmo(world* world, const world_options* options) {
+    dm_object object = 0;
+    size_t size = 0;
+    char* data = file_read(options->dmo, &size);
+    if (data == NULL) return fail(world, "can't read '%s': %s", options->dmo, strerror(errno));
+    const dm_result result = dm_object_load(world->context, data, size, 0, &object);
+    free(data);
+    if (result != DM_OK) return -1;
+    if (parts_from_asset(world, options->file, 0) != 0 || !parts_fit(world, object)) {
+        parts_clear(world);
+        parts_from_nodes(world);
+    }
+    dm_object_destroy(world->context, object);
+    return 0;
+}
+
+/* What may move: as told, else as saved beside the file, else as the library says. */
 static int find_parts(world* world, const world_options* options) {
     if (world->table != NULL) {
         world_scene_parts(world);
@@ -107,8 +141,12 @@ static int find_parts(world* world, const world_options* options) {
     char* beside = path_with_ending(options->dmo != NULL ? options->dmo : options->file, ".parts.npy");
     const bool known = parts_load(world, beside) == 0;
     free(beside);
-    if (!known) parts_from_nodes(world);
-    return 0;
+    if (known) return 0;
+    if (options->dmo != NULL) return find_parts_of_dmo(world, options);
+    const double start = seconds_now();
+    const int status = parts_from_asset(world, options->file, 1);
+    world->prepare_seconds = seconds_now() - start;
+    return status;
 }
 
 int world_open(world* world, const world_options* options) {
@@ -122,7 +160,10 @@ int world_open(world* world, const world_options* options) {
     if (status == 0) status = load_model(world, options->models);
     if (status == 0) status = open_file(world, options->file);
     if (status == 0) status = find_parts(world, options);
-    if (status == 0) status = options->dmo != NULL ? world_load(world, options->dmo) : 0;
+    if (status == 0 && options->dmo != NULL)
+        status = world_load(world, options->dmo);
+    else if (status == 0 && world->object)
+        status = adopt(world);
     /* A failure to prepare is no end: the player can still say what moves. */
     if (status == 0 && !world->object) world_prepare(world);
     if (status != 0) world_close(world);
@@ -195,7 +236,8 @@ int world_prepare(world* world) {
                                  .part_count = world->part_count,
                                  .model = world->model,
                                  .seed = 1};
-    if (world->part_count == 0) return fail(world, "nothing may move yet: point at a piece and press M, or paint (P)");
+    if (world->part_count == 0)
+        return fail(world, "nothing here seems to move: point at a piece and press M, or paint (P)");
     const double start = seconds_now();
     if (dm_object_prepare(world->context, &desc, &world->object) != DM_OK) return -1;
     world->prepare_seconds = seconds_now() - start;

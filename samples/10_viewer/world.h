@@ -14,6 +14,8 @@ enum { WORLD_MAX_PARTS = 250, WORLD_NAME = 64, WORLD_HISTORY = 64 };
 typedef struct world_part {
     char name[WORLD_NAME];
     uint32_t id, parent; /* ids given to the library; 1.. */
+    int is_free;         /* nothing but its weight holds it */
+    int is_stated;       /* the file states its joint, or moves it by a clip */
     dm_joint hypotheses[DM_MAX_HYPOTHESES];
     uint32_t hypothesis_count;
     dm_part_state state; /* this instance's own joint, value and pose; during a drag, those of now */
@@ -42,7 +44,7 @@ typedef struct world_options {
     const char* models; /* folder with the weights; NULL = weights_folder_find; "none" = geometry alone */
     const char* dmo;    /* a prepared object to load in place of preparing; may be NULL */
     const char* parts[WORLD_MAX_PARTS];
-    uint32_t part_count; /* 0: every node but the largest is a part */
+    uint32_t part_count; /* 0: the library is asked which nodes move */
 } world_options;
 
 typedef struct world {

@@ -245,7 +245,7 @@ void world_set_joint(world* world, uint32_t id, const dm_joint* joint) {
     world_part* part = &world->parts[id];
     dm_object_get_joint(world->context, world->object, id, &part->state.joint);
     part->basis = basis_of(&part->state.joint);
-    part->has_keys = part->has_changed = 0;
+    part->has_keys = part->has_changed = part->is_stated = 0;
     forget_past(world, id);
     world_set_value(world, id, part->state.value);
 }
