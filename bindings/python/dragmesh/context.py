@@ -152,7 +152,7 @@ class Context(Unique):
             if intent else None}
         for name, callback in callbacks.items():
             if callback is not None:
-                setattr(desc, name, _FIELDS[name](_guarded(*callback, failures)))
+                setattr(desc, name, _FIELDS[name](guarded(*callback, failures)))
         handle = c.c_uint64()
         try:
             self.make("object_prepare", model, c.byref(desc), c.byref(handle))
@@ -228,7 +228,7 @@ def _destroy(turns: Turns, library: Any, pointer: Any, waits: bool, *_callbacks:
     return turns.close(destroy, waits)
 
 
-def _guarded(function: Callable[..., Any], otherwise: int, failures: List[BaseException]) -> Callable[..., int]:
+def guarded(function: Callable[..., Any], otherwise: int, failures: List[BaseException]) -> Callable[..., int]:
     """A function for the library to call. Nothing may pass through it, so the first exception is kept."""
 
     def answer(*arguments: Any) -> int:

@@ -1,17 +1,18 @@
 """Whole assets: which of their nodes move, how, and what carries what."""
 import ctypes as c
-from typing import Any, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
 from . import native as n
 from .arrays import describe_mesh
 from .base import text_of
-from .context import Context, pivot_of
+from .context import Context, guarded, pivot_of
 from .gltf import Gltf
 from .objects import Model, Object, Owned
 from .values import vec3
 
+_FIELDS = dict(n.AssetDesc._fields_)
 _KEYS = {"name", "mesh_name", "parent", "positions", "indices", "transform", "pivot", "joint", "follows", "no_pivot", "clips"}
 
 
@@ -61,12 +62,22 @@ class Asset(Owned):
 
 
 def _create(context: Context, nodes: Any, count: int, model: Optional[Model], label: Optional[str], names: bool, clips: bool,
-            min_moves: float, flags: int, up: Optional[Sequence[float]]) -> Asset:
+            min_moves: float, flags: int, up: Optional[Sequence[float]], progress: Optional[Callable[[float], Any]] = None) -> Asset:
     flags |= (0 if clips else n.DM_ASSET_WITHOUT_CLIPS) | (0 if names else n.DM_ASSET_WITHOUT_NAMES)
     desc = n.AssetDesc(flags=flags, nodes=nodes, node_count=count, model=model.handle if model else 0, min_moves=min_moves,
                        label=text_of(label, "label") if label else None, up=vec3(up) if up is not None else n.Vec3())
+    failures: List[BaseException] = []
+    if progress is not None:
+        told = progress
+        desc.progress = _FIELDS["progress"](guarded(lambda _, done: int(told(done) is False), 1, failures))
     handle = c.c_uint64()
-    context.make("asset_create", model, c.byref(desc), c.byref(handle))
+    try:
+        context.make("asset_create", model, c.byref(desc), c.byref(handle))
+    finally:
+        if failures:
+            if handle.value:
+                context.call("asset_destroy", handle.value)
+            raise failures[0]
     return Asset(context, handle.value, model)
 
 
@@ -113,15 +124,16 @@ def _fill(row: n.AssetNode, node: Dict[str, Any], kept: List[Any]) -> None:
 
 
 def rig(context: Context, nodes: Sequence[Dict[str, Any]], model: Optional[Model] = None, label: Optional[str] = None,
-        names: bool = True, clips: bool = True, min_moves: float = 0.0, up: Optional[Sequence[float]] = None) -> Asset:
+        names: bool = True, clips: bool = True, min_moves: float = 0.0, up: Optional[Sequence[float]] = None,
+        progress: Optional[Callable[[float], Any]] = None) -> Asset:
     """An asset from its nodes: dicts with, as wanted, name, mesh_name, parent (index), positions (n x 3), indices (m x 3),
     transform (4 x 4, node to asset), pivot=(origin, axes), joint (that the file states), follows (index or None: neither part
     nor body), no_pivot, clips (dicts of times, poses and name). names, clips: whether they count. min_moves: probability
-    from which on a part moves; 0: 0.5."""
+    from which on a part moves; 0: 0.5. progress(done): gets 0 to 1; returns False to cancel."""
     rows, kept = (n.AssetNode * len(nodes))(), []  # type: Tuple[Any, List[Any]]
     for row, node in zip(rows, nodes):
         _fill(row, node, kept)
-    return _create(context, rows, len(rows), model, label, names, clips, min_moves, 0, up)
+    return _create(context, rows, len(rows), model, label, names, clips, min_moves, 0, up, progress)
 
 
 def rig_gltf(context: Context, gltf: Gltf, model: Optional[Model] = None, label: Optional[str] = None, names: bool = True,

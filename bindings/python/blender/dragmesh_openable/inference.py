@@ -47,10 +47,28 @@ def _describe(thing, number, numbers, has_pivot):
             "pivot": (list(matrix.translation), axes) if has_pivot else None}
 
 
+def _with_what_it_carries(thing, others, depsgraph):
+    """World positions and triangles of an object and of the meshes below it that are none of the others."""
+    pieces, start, below = [_triangles(thing, depsgraph)], 0, list(thing.children)
+    while below:
+        child = below.pop()
+        if child in others:
+            continue
+        below += child.children
+        if child.type == "MESH":
+            pieces.append(_triangles(child, depsgraph))
+    points, corners = [], []
+    for found, faces in pieces:
+        points.append(found)
+        corners.append(faces + start)
+        start += len(found)
+    return np.concatenate(points), np.concatenate(corners)
+
+
 def prepare(context, body, parts, depsgraph, progress=None):
     """A prepared object of a body and its parts, whose ids are 1 and up in this order."""
     numbers = {part: index + 1 for index, part in enumerate(parts)}
-    pieces = [_triangles(thing, depsgraph) for thing in (body, *parts)]
+    pieces = [_with_what_it_carries(thing, {body, *parts}, depsgraph) for thing in (body, *parts)]
     starts = np.cumsum([0] + [len(points) for points, _ in pieces])
     points = np.concatenate([points for points, _ in pieces])
     corners = np.concatenate([faces + start for (_, faces), start in zip(pieces, starts)])
@@ -58,6 +76,32 @@ def prepare(context, body, parts, depsgraph, progress=None):
     has_pivot = not _pivots_are_lost((body, *parts))
     return context.prepare(points, corners, ids, [_describe(part, numbers[part], numbers, has_pivot) for part in parts],
                            context.load_shipped_model(), label=body.name, progress=progress)
+
+
+def ask(context, things, depsgraph, progress=None):
+    """A whole asset of mesh objects: dragmesh.Asset, whose nodes are the objects in this order."""
+    places, lost, nodes = {thing: index for index, thing in enumerate(things)}, _pivots_are_lost(things), []
+    for thing in things:
+        points, corners = _triangles(thing, depsgraph)
+        above = thing.parent
+        while above is not None and above not in places:
+            above = above.parent
+        matrix = thing.matrix_world
+        nodes.append({"name": thing.name, "mesh_name": thing.data.name, "parent": places.get(above), "positions": points,
+                      "indices": corners, "pivot": (list(matrix.translation), [list(matrix.col[k][:3]) for k in range(3)]),
+                      "no_pivot": lost})
+    return dragmesh.rig(context, nodes, context.load_shipped_model(), progress=progress)
+
+
+def parts_of(asset, things):
+    """What moves: a list of (number, main object, its other objects). What has the most faces is the main one."""
+    found = []
+    for index, part in enumerate(asset.parts()):
+        own = [things[node] for node in asset.part_nodes(index)]
+        main = max(own, key=lambda thing: len(thing.data.polygons))
+        if part.part_id:
+            found.append((part.part_id, main, [thing for thing in own if thing != main]))
+    return found
 
 
 def keep(part, number, body, prepared):

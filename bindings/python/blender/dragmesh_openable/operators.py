@@ -48,6 +48,47 @@ class Infer(bpy.types.Operator):
         return {"FINISHED"}
 
 
+class RigAsset(bpy.types.Operator):
+    """Find out which of the selected objects move, which of them as one, and how; without a selection, of all"""
+    bl_idname, bl_label, bl_options = "dragmesh.rig", "Find what moves", {"REGISTER", "UNDO"}
+
+    @staticmethod
+    def things(context):
+        """The objects that are asked about."""
+        chosen = [thing for thing in context.selected_objects if thing.type == "MESH"]
+        return chosen if len(chosen) > 1 else [thing for thing in context.scene.objects if thing.type == "MESH"]
+
+    @classmethod
+    def poll(cls, context):
+        return len(cls.things(context)) > 1
+
+    def execute(self, context):
+        things, manager = self.things(context), context.window_manager
+        manager.progress_begin(0, 1)
+        try:
+            for thing in things:
+                rig.remove(thing)
+            with dragmesh.Context(axes=dragmesh.Axes.BLENDER) as library:
+                asset = inference.ask(library, things, context.evaluated_depsgraph_get(), manager.progress_update)
+                found = inference.parts_of(asset, things)
+                moving = {thing for _, main, others in found for thing in (main, *others)}
+                body = max((thing for thing in things if thing not in moving), default=None, key=lambda thing: thing.dimensions.length)
+                prepared = asset.make_object()
+                for number, main, _ in found:
+                    inference.keep(main, number, body, prepared)
+        except (dragmesh.Error, ValueError) as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        finally:
+            manager.progress_end()
+        for _, main, others in found:
+            for other in others:
+                rig.hang(other, main)
+            rig.build(main)
+        self.report({"INFO"}, f"{len(found)} of {len(things)} objects move by a joint of their own")
+        return {"FINISHED"}
+
+
 class NextHypothesis(bpy.types.Operator):
     """Take the next most probable joint of the selected parts"""
     bl_idname, bl_label, bl_options = "dragmesh.next", "Next hypothesis", {"REGISTER", "UNDO"}
@@ -138,7 +179,8 @@ class Panel(bpy.types.Panel):
 
     def draw(self, context):
         layout = self.layout
-        layout.label(text="Select the parts, then the body")
+        layout.operator(RigAsset.bl_idname)
+        layout.label(text="Or select the parts, then the body")
         layout.operator(Infer.bl_idname)
         for part in _parts(context):
             kept = part.dragmesh
@@ -152,7 +194,7 @@ class Panel(bpy.types.Panel):
         layout.operator(Export.bl_idname)
 
 
-CLASSES = (Infer, NextHypothesis, Apply, Export, Panel)
+CLASSES = (RigAsset, Infer, NextHypothesis, Apply, Export, Panel)
 
 
 def register():

@@ -64,6 +64,13 @@ def _range_lines(kept, row, radius):
     return [axis, [(0, 0, 0), *arc, (0, 0, 0)]]
 
 
+def hang(thing, main):
+    """Lets an object go where the main one of its part goes."""
+    matrix = thing.matrix_world.copy()
+    thing.parent = main
+    thing.matrix_world = matrix
+
+
 def remove(part):
     """Takes the rig away; the part stays where it is at rest."""
     kept = part.dragmesh
@@ -118,12 +125,16 @@ def attach(part):
 
 
 def set_origin(part):
-    """Puts the object's own origin on the joint. The mesh does not move."""
+    """Puts the object's own origin on the joint. The mesh does not move, and what hangs on the object does not either."""
+    hanging = [(child, child.matrix_world.copy()) for child in part.children]
     place = part.dragmesh.rest.matrix_world.translation
     part.data = part.data.copy() if part.data.users > 1 else part.data
     local = part.matrix_world.inverted() @ place
     part.data.transform(Matrix.Translation(-local))
     part.matrix_world = part.matrix_world @ Matrix.Translation(local)
+    bpy.context.view_layer.update()
+    for child, matrix in hanging:
+        child.matrix_world = matrix
     bpy.context.view_layer.update()
 
 

@@ -122,7 +122,43 @@ def render(parts, path):
     bpy.ops.render.render(write_still=True)
 
 
+def box(name, low, high):
+    """A box as an object of its own."""
+    bpy.ops.mesh.primitive_cube_add(size=1, location=[(a + b) / 2 for a, b in zip(low, high)])
+    thing = bpy.context.active_object
+    thing.name, thing.scale = name, [b - a for a, b in zip(low, high)]
+    return thing
+
+
+def whole_asset():
+    """A cupboard of boards, a door and a knob: the door is one part with its knob, and the boards stay."""
+    boards = [box(f"board{number}", low, high) for number, (low, high) in enumerate((
+        ((-0.4, -0.23, 0), (-0.38, 0.25, 0.8)), ((0.38, -0.23, 0), (0.4, 0.25, 0.8)), ((-0.38, -0.23, 0), (0.38, 0.25, 0.02)),
+        ((-0.38, -0.23, 0.78), (0.38, 0.25, 0.8)), ((-0.38, 0.23, 0.02), (0.38, 0.25, 0.78))))]
+    door = box("door", (-0.4, -0.25, 0), (0.4, -0.232, 0.8))
+    knob = box("knob", (0.32, -0.28, 0.36), (0.35, -0.25, 0.44))
+    bpy.ops.object.select_all(action="DESELECT")
+    bpy.context.view_layer.update()
+    must(bpy.ops.dragmesh.rig() == {"FINISHED"}, "rig")
+    moving = [thing for thing in bpy.data.objects if thing.type == "MESH" and len(thing.dragmesh.hypotheses) > 0]
+    must(moving == [door], f"{[thing.name for thing in moving]} move")
+    must(door.dragmesh.hypotheses[0].type == "REVOLUTE", "the door has no hinge")
+    must(door.dragmesh.body in boards, "the body is no board")
+    select([door], door)
+    must(bpy.ops.dragmesh.apply() == {"FINISHED"}, "apply")
+    apart = lambda: door.matrix_world.inverted() @ knob.matrix_world  # noqa: E731
+    closed, seen, scene = apart(), knob.matrix_world.translation.copy(), bpy.context.scene
+    must((seen - Vector((0.335, -0.265, 0.4))).length < 1e-4, "the knob has moved at rest")
+    scene.frame_set(rig.OPEN)
+    must(max(abs(a - b) for x, y in zip(apart(), closed) for a, b in zip(x, y)) < 1e-4, "the knob does not go with the door")
+    must((knob.matrix_world.translation - seen).length > 0.3, "the door stays")
+    scene.frame_set(rig.CLOSED)
+    for thing in list(bpy.data.objects):
+        bpy.data.objects.remove(thing)
+
+
 def main():
+    whole_asset()
     bpy.ops.import_scene.gltf(filepath=source)
     meshes = [thing for thing in bpy.data.objects if thing.type == "MESH"]
     body = max(meshes, key=lambda thing: max(thing.dimensions))
