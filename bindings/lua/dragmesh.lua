@@ -369,7 +369,7 @@ function Gltf:nodes()
     local nodes, row = {}, ffi.new "dm_gltf_node"
     for i = 0, G.dm_gltf_node_count(self.pointer) - 1 do
         check(G.dm_gltf_get_node(self.pointer, i, row))
-        nodes[i + 1] = { name = ffi.string(row.name), first_face = tonumber(row.first_face), face_count = tonumber(row.face_count) }
+        nodes[i + 1] = { name = ffi.string(row.name), node = row.node, first_face = tonumber(row.first_face), face_count = tonumber(row.face_count) }
     end
     return nodes
 end

@@ -54,7 +54,7 @@ echo 'import { load } from "dragmesh"; console.log((await load()).createContext(
 mkdir "$work/host/node_modules" && mv "$work/host/package" "$work/host/node_modules/dragmesh"
 [ "$(node "$work/host/use.mjs")" = true ] || fail "the npm package does not load"
 # The examples of docs/engines/web.md, with this package and three.js as npm lays them out.
-"$build/dragmesh" prepare samples/cabinet.glb -o "$work/host/cabinet.dmo" > "$work/log"
+"$build/dragmesh" prepare samples/cabinet.glb -o "$work/host/cabinet.dmo" --json > "$work/host/cabinet.json"
 cp bindings/js/examples/* samples/cabinet.glb "$work/host/"
 cp -r build/web/npm/node_modules/three "$work/host/node_modules/"
 grep -q 'stands open at' <(cd "$work/host" && node first_door.mjs cabinet.dmo) || fail "the guide's first_door.mjs"

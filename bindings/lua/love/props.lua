@@ -48,16 +48,16 @@ function Prop.load(context, row)
     local gltf = dragmesh.gltf(love.filesystem.getSource() .. "/props/" .. row.name .. ".glb")
     local nodes = gltf:nodes()
     local positions, indices = gltf:mesh()
-    for i = 0, info.part_count - 1 do
-        local part = self.object:part(i)
-        local name = nodes[part.id].name
-        local part_row = (row.parts or {})[name] or {}
-        self.parts[part.id] = { id = part.id, name = name, row = part_row, prop = self, pose = IDENTITY, value = 0 }
-        self.by_name[name] = self.parts[part.id]
+    local part_of_node = {} -- by the number of the node in the file
+    for _, told in ipairs(love.filesystem.load("props/" .. row.name .. ".lua")()) do
+        local part_row = (row.parts or {})[told.name] or {}
+        local part = { id = told.id, name = told.name, row = part_row, prop = self, pose = IDENTITY, value = 0 }
+        self.parts[told.id], self.by_name[told.name] = part, part
+        for _, node in ipairs(told.nodes) do part_of_node[node] = part end
     end
     for _, part in pairs(self.parts) do part.carrier = self.by_name[part.row.on] end
-    for i, node in ipairs(nodes) do
-        local part = self.parts[i]
+    for _, node in ipairs(nodes) do
+        local part = part_of_node[node.node]
         local colour = part and (row.paint[part.name] or row.paint.parts) or row.paint.body
         local mesh = make_mesh(node, positions, indices, colour)
         if mesh then self.pieces[#self.pieces + 1] = { mesh = mesh, part = part } end
