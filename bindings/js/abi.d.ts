@@ -210,13 +210,13 @@ export const AssetWarning: {
     readonly CLIP_LEFT_OUT: 1;
 };
 
-/** Whether a part moves. This version lists parts that move alone; the other answers are for later ones. */
+/** Whether a part moves. */
 export const AssetState: {
-    /** it might move, but probably does not */
+    /** it might move, but probably does not: `moves` is below dm_asset_desc.min_moves. Bodies that almost certainly stay are no parts */
     readonly STAYS: 0;
     /** by its joint */
     readonly MOVES: 1;
-    /** it can be taken away; its joint is how it comes off */
+    /** nothing but its weight holds it, as the lid of a teapot: a player can take it away. Its joint is the slide by which it comes off, with a low confidence */
     readonly FREE: 2;
 };
 

@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: 2bd4b2acbe549399
+// Hash of the description: 21c747f0ad6ecf5e
 
 export const VERSION = '0.3.0-dev';
 export const VERSION_NUMBER = 12287;

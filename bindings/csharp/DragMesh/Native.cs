@@ -162,11 +162,11 @@ namespace DragMesh
         public const int DM_ASSET_WITHOUT_NAMES = 512;
         /// <summary>a clip moves a node as no joint does, or is not rigid</summary>
         public const int DM_ASSET_CLIP_LEFT_OUT = 1;
-        /// <summary>it might move, but probably does not</summary>
+        /// <summary>it might move, but probably does not: `moves` is below dm_asset_desc.min_moves. Bodies that almost certainly stay are no parts</summary>
         public const int DM_ASSET_STAYS = 0;
         /// <summary>by its joint</summary>
         public const int DM_ASSET_MOVES = 1;
-        /// <summary>it can be taken away; its joint is how it comes off</summary>
+        /// <summary>nothing but its weight holds it, as the lid of a teapot: a player can take it away. Its joint is the slide by which it comes off, with a low confidence</summary>
         public const int DM_ASSET_FREE = 2;
         /// <summary>from shape, contacts and names</summary>
         public const int DM_ASSET_INFERRED = 0;
@@ -958,7 +958,7 @@ namespace DragMesh
         /// <summary>optional evidence: names of the whole asset, as dm_object_desc.label</summary>
         public byte* Label;
         public uint NodeCount;
-        /// <summary>parts of at least this probability are listed, and are the object's; 0 = 0.5</summary>
+        /// <summary>parts of at least this probability move, and are the object's; 0 = 0.5</summary>
         public float MinMoves;
         /// <summary>weights; 0 = geometry alone</summary>
         public ulong Model;
@@ -1835,7 +1835,7 @@ namespace DragMesh
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_gltf_read_mask(IntPtr gltf, void* data, UIntPtr size, long* mask_value, byte* out_part_ids, int* out_scope, int* out_ambiguous);
 
-        /// <summary>Writes a .glb: the file's meshes and materials, with the tracks' faces split off into nodes of their own that a looping animation moves. out_data is released with dm_gltf_release_bytes.</summary>
+        /// <summary>Writes a .glb: the file's meshes and materials, with the tracks' faces split off into nodes of their own that a looping animation moves. Without tracks it adds no animation. The file's own animations stay as they are, and go on moving the nodes that they name. out_data is released with dm_gltf_release_bytes.</summary>
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_gltf_export(IntPtr gltf, GltfTrack* tracks, uint track_count, void** out_data, UIntPtr* out_size);
 

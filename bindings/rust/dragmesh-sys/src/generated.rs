@@ -156,11 +156,11 @@ pub const DM_ASSET_WITHOUT_CLIPS: i32 = 256;
 pub const DM_ASSET_WITHOUT_NAMES: i32 = 512;
 /// a clip moves a node as no joint does, or is not rigid
 pub const DM_ASSET_CLIP_LEFT_OUT: i32 = 1;
-/// it might move, but probably does not
+/// it might move, but probably does not: \`moves\` is below dm\_asset\_desc.min\_moves. Bodies that almost certainly stay are no parts
 pub const DM_ASSET_STAYS: i32 = 0;
 /// by its joint
 pub const DM_ASSET_MOVES: i32 = 1;
-/// it can be taken away; its joint is how it comes off
+/// nothing but its weight holds it, as the lid of a teapot: a player can take it away. Its joint is the slide by which it comes off, with a low confidence
 pub const DM_ASSET_FREE: i32 = 2;
 /// from shape, contacts and names
 pub const DM_ASSET_INFERRED: i32 = 0;
@@ -919,7 +919,7 @@ pub struct dm_asset_desc {
     /// optional evidence: names of the whole asset, as dm\_object\_desc.label
     pub label: *const c_char,
     pub node_count: u32,
-    /// parts of at least this probability are listed, and are the object's; 0 = 0.5
+    /// parts of at least this probability move, and are the object's; 0 = 0.5
     pub min_moves: f32,
     /// weights; 0 = geometry alone
     pub model: dm_model,
@@ -1784,7 +1784,7 @@ extern "C" {
     pub fn dm_gltf_left_out(gltf: *const dm_gltf) -> i32;
     /// Reads a part mask (.npy or JSON array, one integer a vertex or one a face, in the order of the file where bones sort the merged mesh otherwise). mask\_value NULL: non-zero is moving. out\_part\_ids: as many bytes as max(vertex\_count, face\_count). out\_ambiguous (may be NULL): both lengths fit, and per vertex was taken. Errors: BAD\_DATA, INVALID\_ARGUMENT (neither length fits), EMPTY\_MASK, FULL\_MASK.
     pub fn dm_gltf_read_mask(gltf: *const dm_gltf, data: *const c_void, size: usize, mask_value: *const i64, out_part_ids: *mut u8, out_scope: *mut i32, out_ambiguous: *mut i32) -> dm_result;
-    /// Writes a .glb: the file's meshes and materials, with the tracks' faces split off into nodes of their own that a looping animation moves. out\_data is released with dm\_gltf\_release\_bytes.
+    /// Writes a .glb: the file's meshes and materials, with the tracks' faces split off into nodes of their own that a looping animation moves. Without tracks it adds no animation. The file's own animations stay as they are, and go on moving the nodes that they name. out\_data is released with dm\_gltf\_release\_bytes.
     pub fn dm_gltf_export(gltf: *const dm_gltf, tracks: *const dm_gltf_track, track_count: u32, out_data: *mut *mut c_void, out_size: *mut usize) -> dm_result;
     pub fn dm_gltf_release_bytes(gltf: *const dm_gltf, data: *mut c_void, size: usize);
     /// Writes a static .glb with one identity node a part. allocator zeros = malloc/free; release out\_data with the same.
