@@ -1,4 +1,4 @@
-"""blender -b --factory-startup --python first_door.py -- ADDON.zip FILE.glb OUT.glb: makes every node of a file openable"""
+"""blender -b --factory-startup --python first_door.py -- ADDON.zip FILE.glb OUT.glb: makes what moves in a file openable"""
 import os
 import sys
 
@@ -14,13 +14,11 @@ bpy.ops.preferences.addon_install(filepath=addon)
 bpy.ops.preferences.addon_enable(module="dragmesh_openable")
 bpy.ops.import_scene.gltf(filepath=source)
 
-parts = [thing for thing in bpy.data.objects if thing.type == "MESH"]
-body = max(parts, key=lambda thing: max(thing.dimensions))
-parts.remove(body)
-for thing in (*parts, body):
-    thing.select_set(True)
-bpy.context.view_layer.objects.active = body  # the active object is the body, the other selected ones are its parts
-bpy.ops.dragmesh.infer()
+bpy.ops.object.select_all(action="DESELECT")
+bpy.ops.dragmesh.rig()  # which objects move, and which of them as one: without a selection, of all
+parts = [thing for thing in bpy.data.objects if thing.type == "MESH" and thing.dragmesh.hypotheses]
+for part in parts:
+    part.select_set(True)
 bpy.ops.dragmesh.apply()  # pivots, limits, keys of the opening at the frames 1 and 60, custom properties
 
 bpy.context.scene.frame_set(60)
