@@ -142,6 +142,7 @@ try {
     await (await try_('washer_phone', phone, 'washer', [203, 428], [-110, 40], /^(Hinge|Turns)/)).close();
     const toolbox = await try_('toolbox_desktop', desktop, 'toolbox', [370, 240], [22, -125], /^Hinge/); // one mesh: the lid is found
     await dropFiles(toolbox.page);
+    await wholeAsset(toolbox.page);
     assert.deepEqual(toolbox.problems, []);
     await toolbox.close();
     console.log('page: passed');
@@ -199,6 +200,41 @@ async function drop(page, name, data) {
     assert.match(await page.getAttribute('#drop', 'class') ?? '', /\bover\b/, 'the page does not show that a file may be dropped');
     await page.dispatchEvent('#stage', 'drop', { dataTransfer: files });
     assert.doesNotMatch(await page.getAttribute('#drop', 'class') ?? '', /\bover\b/);
+}
+
+// A .glb of boxes, each a node: name, least corner, greatest corner.
+function boxes(list) {
+    const faces = [0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6];
+    const corners = list.flatMap(([, low, high]) => faces.flatMap(i => [0, 1, 2].map(k => ((i >> k) & 1 ? high[k] : low[k]))));
+    const bytes = Buffer.from(Float32Array.from(corners).buffer), count = faces.length, length = 12 * count;
+    const json = JSON.stringify({
+        asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: list.map((_, i) => i) }], nodes: list.map(([name], i) => ({ name, mesh: i })),
+        meshes: list.map((_, i) => ({ primitives: [{ attributes: { POSITION: i } }] })), buffers: [{ byteLength: bytes.length }],
+        bufferViews: list.map((_, i) => ({ buffer: 0, byteOffset: length * i, byteLength: length })),
+        accessors: list.map(([, min, max], i) => ({ bufferView: i, componentType: 5126, count, type: 'VEC3', min, max })) });
+    const text = Buffer.from(json.padEnd(Math.ceil(json.length / 4) * 4)), head = Buffer.alloc(20), between = Buffer.alloc(8);
+    head.write('glTF');
+    [2, 28 + text.length + bytes.length, text.length, 0x4e4f534a].forEach((number, i) => head.writeUInt32LE(number, 4 + 4 * i));
+    [bytes.length, 0x004e4942].forEach((number, i) => between.writeUInt32LE(number, 4 * i));
+    return Buffer.concat([head, text, between, bytes]);
+}
+
+// A cupboard that nobody has rigged: the knob goes with the door, and the boards stay.
+async function wholeAsset(page) {
+    await drop(page, 'cupboard.glb', boxes([['side', [-0.4, 0, -0.25], [-0.38, 0.8, 0.23]], ['side_2', [0.38, 0, -0.25], [0.4, 0.8, 0.23]],
+        ['floor', [-0.38, 0, -0.25], [0.38, 0.02, 0.23]], ['roof', [-0.38, 0.78, -0.25], [0.38, 0.8, 0.23]],
+        ['back', [-0.38, 0.02, -0.25], [0.38, 0.78, -0.23]], ['door', [-0.4, 0, 0.232], [0.4, 0.8, 0.25]], ['knob', [0.25, 0.34, 0.25], [0.33, 0.46, 0.3]]]));
+    await page.waitForFunction(() => document.body.dataset.ready === '3');
+    await settled(page);
+    assert.deepEqual(await page.locator('#parts button').allTextContents(), ['Door']);
+    await page.mouse.click(590, 250);
+    await page.getByText('Side 2 stays.').waitFor();
+    assert.equal(await page.locator('#panel').isVisible(), false, 'a board can be dragged');
+    const { held, kind, up } = await pull(page, false, [475, 300], [-120, 60]);
+    await up();
+    console.log(`cupboard: ${kind}, ${held}, by its knob`);
+    assert.match(kind, /^Hinge/);
+    assert.ok(Math.abs(number(held)) > 5, `the door stands at ${held}`);
 }
 
 // A dropped GLB opens; a dropped file of another sort is refused with words, and what was there stays.
