@@ -1,6 +1,6 @@
 // Turns a scene of three.js into what dragmesh reads: one mesh in the object frame, whose pieces are the scene's nodes. The frame
 // is the scene's own, so that poses apply to what is drawn as they are.
-import { Box3, BufferAttribute, BufferGeometry, Group, Mesh, Vector3 } from './three/three.module.min.js';
+import { Box3, BufferAttribute, BufferGeometry, Group, Mesh, Object3D, Vector3 } from './three/three.module.min.js';
 import { isLeftOut, listNodes, nameOf } from './nodes.js';
 
 /** What a node is called, from the scene down, and its frame: evidence of how it moves. */
@@ -19,18 +19,32 @@ function nodeOf(mesh, associations) {
     return own && own.nodes === undefined && mesh.parent ? mesh.parent : mesh;
 }
 
-// A geometry with the vertices where they are seen: skins and morphs at rest, the node's transform applied.
-function bake(mesh) {
+// Each instance of a mesh as a node of its own below it, as of EXT_mesh_gpu_instancing; a mesh without instances is of its node.
+function copiesOf(mesh, owner) {
+    if (!mesh.isInstancedMesh) return [{ place: mesh.matrixWorld, owner }];
+    return Array.from({ length: mesh.count }, (_, i) => {
+        const node = new Object3D();
+        mesh.getMatrixAt(i, node.matrix);
+        node.matrix.decompose(node.position, node.quaternion, node.scale);
+        node.name = `${nameOf(owner)}.${i}`;
+        mesh.add(node);
+        node.updateWorldMatrix(false, false);
+        return { place: node.matrixWorld, owner: node };
+    });
+}
+
+// A geometry with the vertices where they are seen: skins and morphs at rest, put where the node or instance is.
+function bake(mesh, place) {
     const source = mesh.geometry, count = source.attributes.position.count, point = new Vector3();
     const geometry = new BufferGeometry();
     for (const name of ['uv', 'uv1', 'color']) if (source.attributes[name]) geometry.setAttribute(name, source.attributes[name].clone());
     const positions = new Float32Array(3 * count);
-    for (let i = 0; i < count; i++) mesh.getVertexPosition(i, point).applyMatrix4(mesh.matrixWorld).toArray(positions, 3 * i);
+    for (let i = 0; i < count; i++) mesh.getVertexPosition(i, point).applyMatrix4(place).toArray(positions, 3 * i);
     geometry.setAttribute('position', new BufferAttribute(positions, 3));
     const order = source.index ? Uint32Array.from(source.index.array) : Uint32Array.from({ length: count }, (_, i) => i);
-    geometry.setIndex(new BufferAttribute(mesh.matrixWorld.determinant() < 0 ? mirrored(order) : order, 1));
+    geometry.setIndex(new BufferAttribute(place.determinant() < 0 ? mirrored(order) : order, 1));
     if (mesh.isSkinnedMesh || !source.attributes.normal) geometry.computeVertexNormals();
-    else geometry.setAttribute('normal', source.attributes.normal.clone().applyNormalMatrix(mesh.normalMatrix.getNormalMatrix(mesh.matrixWorld)));
+    else geometry.setAttribute('normal', source.attributes.normal.clone().applyNormalMatrix(mesh.normalMatrix.getNormalMatrix(place)));
     return geometry;
 }
 
@@ -57,15 +71,14 @@ export function readAsset(scene, name, gltf) {
     const surfaces = [], nodes = new Map(), pieces = [], ownerOf = mesh => nodeOf(mesh, gltf?.parser.associations);
     scene.traverseVisible(mesh => {
         if (!mesh.isMesh || !mesh.geometry.attributes.position || isLeftOut(ownerOf(mesh))) return;
-        const geometry = bake(mesh), faceCount = Math.floor(geometry.index.count / 3);
-        if (faceCount === 0) return;
-        const owners = piecesOf(mesh, ownerOf(mesh), faceCount);
-        const first = pieces.length;
-        for (const node of owners) {
-            if (!nodes.has(node)) nodes.set(node, { node, index: nodes.size, ...hintsOf(node, scene) });
-            pieces.push(nodes.get(node).index);
+        for (const { place, owner } of copiesOf(mesh, ownerOf(mesh))) {
+            const geometry = bake(mesh, place), faceCount = Math.floor(geometry.index.count / 3), first = pieces.length;
+            for (const node of piecesOf(mesh, owner, faceCount)) {
+                if (!nodes.has(node)) nodes.set(node, { node, index: nodes.size, ...hintsOf(node, scene) });
+                pieces.push(nodes.get(node).index);
+            }
+            if (faceCount > 0) surfaces.push({ geometry, material: mesh.material, name: mesh.name, first, faceCount });
         }
-        surfaces.push({ geometry, material: mesh.material, name: mesh.name, first, faceCount });
     });
     if (surfaces.length === 0) throw new Error('There is no mesh in this file.');
     const pieceOf = new Map([...nodes].map(([node, { index }]) => [node, index]));

@@ -82,8 +82,7 @@ function clipsOf(scene, animations) {
 export function listNodes(scene, pieceOf, ownerOf, gltf) {
     const list = [], places = new Map(), clips = clipsOf(scene, gltf?.animations ?? []);
     scene.traverse(node => {
-        if (node === scene || !pieceOf.has(node) && (node.isMesh || !holdsPiece(node, pieceOf))) return;
-        if (node.isMesh && ownerOf(node) !== node) return;
+        if (node === scene || !holdsPiece(node, pieceOf) || (node.isMesh && ownerOf(node) !== node)) return;
         const m = node.matrixWorld.elements, mesh = gltf?.parser.associations.get(node)?.meshes;
         places.set(node, list.length);
         list.push({
