@@ -108,12 +108,6 @@ static dm_result drop_flat_bodies(making* work) {
     return DM_OK;
 }
 
-static dm_result order_bodies(making* work) {
-    const uint32_t nodes = work->desc->node_count;
-    const dm_result result = dmi_asset_bodies_order(&work->arena, &work->bodies, nodes, work->desc->min_moves);
-    return result == DM_OK ? DM_OK : out_of_memory(work->env, nodes);
-}
-
 static dm_result find_bodies(making* work) {
     const dmi_progress finding = dmi_progress_piece(work->desc->progress, MESH_DONE, BODIES_DONE);
     dmi_asset_models models;
@@ -125,7 +119,6 @@ static dm_result find_bodies(making* work) {
     work->query.models = NULL;
     dmi_asset_models_release(&models);
     if (result == DM_OK) result = drop_flat_bodies(work);
-    if (result == DM_OK) result = order_bodies(work);
     if (result == DM_OK) result = dmi_progress_tell(&finding, 1);
     work->query.progress = NULL;
     return result;
@@ -200,6 +193,24 @@ static dm_result infer_joints(making* work) {
                                     .without_trees = true,
                                     .watched = &preparing};
     return dmi_object_prepare(work->env, work->picker, &inner, &work->object);
+}
+
+/* ---- the order of the parts ---- */
+
+/* Joints are inferred in the order in which the bodies are found, so that what a host is told last, their numbers,
+ * changes no joint. */
+static dm_result order_bodies(making* work) {
+    const uint32_t count = work->bodies.count;
+    uint32_t *number = NULL, *given_node = dmi_arena_push(&work->arena, count * sizeof *given_node);
+    void* scratch = dmi_arena_push(&work->arena, DMI_RENUMBER_SCRATCH(count));
+    if (given_node == NULL || scratch == NULL ||
+        dmi_asset_bodies_order(&work->arena, &work->bodies, work->desc->node_count, work->desc->min_moves, &number) !=
+            DM_OK)
+        return out_of_memory(work->env, work->desc->node_count);
+    for (uint32_t i = 0; i < count; i++) given_node[number[i]] = work->given_node[i];
+    work->given_node = given_node;
+    dmi_object_renumber(work->object, number, scratch);
+    return DM_OK;
 }
 
 /* ---- what nothing holds ---- */
@@ -307,6 +318,7 @@ static dm_result make(making* work, dmi_asset* asset) {
     if (result == DM_OK) result = describe_nodes(work);
     if (result == DM_OK) result = find_bodies(work);
     if (result == DM_OK && work->bodies.count > 0) result = infer_joints(work);
+    if (result == DM_OK && work->bodies.count > 0) result = order_bodies(work);
     if (result == DM_OK) result = fill(work, asset);
     return result == DM_OK ? dmi_progress_tell(desc->progress, 1) : result;
 }

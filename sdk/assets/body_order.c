@@ -3,7 +3,8 @@
 
 #include <string.h>
 
-dm_result dmi_asset_bodies_order(dmi_arena* arena, dmi_asset_bodies* bodies, uint32_t node_count, float min_moves) {
+dm_result dmi_asset_bodies_order(dmi_arena* arena, dmi_asset_bodies* bodies, uint32_t node_count, float min_moves,
+                                 uint32_t** out_number) {
     const uint32_t count = bodies->count;
     uint32_t* number = dmi_arena_push(arena, (count + 1) * sizeof *number);
     dmi_asset_body* old = dmi_arena_push(arena, (count + 1) * sizeof *old);
@@ -24,5 +25,6 @@ dm_result dmi_asset_bodies_order(dmi_arena* arena, dmi_asset_bodies* bodies, uin
     }
     for (uint32_t n = 0; n < node_count; n++)
         if (bodies->body_of_node[n] != DMI_ASSET_BODY) bodies->body_of_node[n] = number[bodies->body_of_node[n]];
+    *out_number = number;
     return DM_OK;
 }

@@ -4,7 +4,7 @@
 //   { find: { point, vector } }   answers { faces, data, joint, … } of the part at a point of a mesh of one piece
 //   { pieces, names, pivot }      the same of a part that is told: those pieces
 // Each may answer { error } instead.
-import { load, AssetState, PartIdScope, Picking } from './dragmesh/dragmesh.js';
+import { load, AssetBasis, AssetState, PartIdScope, Picking } from './dragmesh/dragmesh.js';
 
 const ready = start();
 let mesh;
@@ -35,6 +35,12 @@ function splitPieces() {
     return split.map(own => ({ positions: Float32Array.from(own.points), indices: Uint32Array.from(own.indices) }));
 }
 
+// What the file states is not among what the library has found.
+function hypothesesOf(object, { partId, basis, joint }) {
+    const found = object.hypotheses(partId);
+    return basis === AssetBasis.INFERRED ? found : [joint, ...found];
+}
+
 async function rig({ id, label }) {
     const { context, model } = await ready, split = splitPieces(), began = performance.now();
     const nodes = mesh.nodes.map(({ piece, ...node }) => (piece === null ? node : { ...node, ...split[piece] }));
@@ -43,7 +49,7 @@ async function rig({ id, label }) {
         const parts = asset.parts.map((part, i) => ({ ...part, nodes: asset.partNodes(i), joint: asset.joint(i) }));
         const moving = parts.filter(part => part.state !== AssetState.STAYS);
         const object = moving.length ? asset.makeObject() : null, prepare = (performance.now() - began) / Math.max(1, moving.length);
-        for (const part of moving) Object.assign(part, { hypotheses: object.hypotheses(part.partId), degraded: object.info.degraded, times: { find: 0, prepare } });
+        for (const part of moving) Object.assign(part, { hypotheses: hypothesesOf(object, part), degraded: object.info.degraded, times: { find: 0, prepare } });
         return { parts, data: object?.save() ?? null };
     } finally {
         asset.destroy();

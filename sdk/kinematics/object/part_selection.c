@@ -86,3 +86,21 @@ dm_result dmi_object_select_parts(dmi_env* env, dmi_picker* picker, const dmi_ob
     dmi_free(env, number, size);
     return result;
 }
+
+void dmi_object_renumber(dmi_object* object, const uint32_t* number, void* scratch) {
+    const uint32_t count = object->part_count;
+    dmi_object_part* old = scratch;
+    uint32_t* place = (uint32_t*)(old + count); /* index before -> index now */
+    place[0] = 0;
+    for (uint32_t i = 1; i < count; i++) place[i] = number[i - 1] + 1;
+    memcpy(old, object->parts, count * sizeof *old);
+    for (uint32_t i = 1; i < count; i++) {
+        dmi_object_part* part = &object->parts[place[i]];
+        *part = old[i];
+        part->shape.id = place[i];
+        part->shape.parent = place[old[i].shape.parent];
+        object->mesh->parts[place[i]] = part->shape;
+    }
+    for (uint32_t f = 0; f < object->mesh->face_count; f++)
+        object->mesh->face_part[f] = place[object->mesh->face_part[f]];
+}
