@@ -314,6 +314,33 @@ static void test_the_object_has_no_parts_that_stay(void** state) {
     close_cabinet(t);
 }
 
+/* Parts that move come first, each group in the order of its first nodes; joints and triangles go with their numbers.
+ */
+static void test_parts_are_in_the_order_of_their_nodes(void** state) {
+    (void)state;
+    for (uint32_t first = 0; first < 2; first++) { /* the index of the handle: alone it moves, or after the door */
+        test_asset* t = open_cabinet();
+        t->nodes[HANDLE].joint = &stated;
+        t->nodes[HANDLE].parent = DM_ASSET_NO_NODE;
+        t->desc.min_moves = first == 0 ? 1 : 0.01f;
+        const dm_asset asset = create(t);
+        dm_object object = 0;
+        dm_part_info part = dm_part_info_default();
+        dm_joint joint = dm_joint_default();
+        const dm_joint expected = joint_of(t, asset, first);
+        assert_int_equal(part_with(t, asset, HANDLE), first);
+        assert_int_equal(part_with(t, asset, DOOR), 1 - first);
+        assert_true(expected.upper == stated.upper && expected.source == DM_JOINT_FROM_HOST);
+        assert_int_equal(dm_asset_make_object(t->w.context, asset, &object), DM_OK);
+        assert_int_equal(dm_object_get_part(t->w.context, object, first, &part), DM_OK);
+        assert_int_equal(part.id, first + 1);
+        assert_true(fabsf(part.box_min.x - 0.9f) < 1e-5f && part.triangle_count == TEST_BOX_FACES);
+        assert_int_equal(dm_object_get_joint(t->w.context, object, part.id, &joint), DM_OK);
+        assert_same_joint(&joint, &expected);
+        close_cabinet(t);
+    }
+}
+
 static void test_one_node_has_no_parts(void** state) {
     (void)state;
     test_asset* t = open_cabinet();
@@ -596,6 +623,7 @@ int main(void) {
         cmocka_unit_test(test_parents_may_come_later),
         cmocka_unit_test(test_the_object_can_be_dragged),
         cmocka_unit_test(test_the_object_has_no_parts_that_stay),
+        cmocka_unit_test(test_parts_are_in_the_order_of_their_nodes),
         cmocka_unit_test(test_one_node_has_no_parts),
         cmocka_unit_test(test_workers_change_nothing),
         cmocka_unit_test(test_failing_memory),
