@@ -77,7 +77,7 @@ static dm_result rate_sets(const dmi_asset_query* q, const dmi_asset_units* u, c
     const dmi_merge_tree* tree = c->tree;
     const dmi_progress rating = dmi_progress_piece(q->progress, PAIRS_DONE, 1);
     dmi_set_ratings ratings;
-    const dm_result result = dmi_set_ratings_make(q->arena, tree, q->models, &rating, &ratings);
+    const dm_result result = dmi_set_ratings_make(q->arena, tree, q->models, DMI_CONTEXT_ROUNDS, &rating, &ratings);
     for (uint32_t s = 0; result == DM_OK && s < tree->set_count; s++) {
         const uint32_t* members = tree->members + tree->first[s];
         c->moves[s] =

@@ -1,4 +1,4 @@
-/* The models that group an asset's nodes: three ensembles of trees in one file (sdk/models/asset_parts.safetensors). */
+/* The models that group an asset's nodes: ensembles of trees in one file (sdk/models/asset_parts.safetensors). */
 #ifndef DMI_ASSETS_ASSET_MODELS_H
 #define DMI_ASSETS_ASSET_MODELS_H
 
@@ -6,12 +6,14 @@
 #include "nn/tree_ensemble.h"
 
 #define DMI_ASSET_ARCHITECTURE "dragmesh-asset-parts" /* of the weights file */
+#define DMI_CONTEXT_ROUNDS 2                          /* times that sets are rated in view of each other; by hand */
 
 typedef struct dmi_asset_models {
     dmi_arena arena;
     dmi_tree_ensemble pairs;   /* DMI_PAIR_FEATURES -> both nodes are of one body */
     dmi_tree_ensemble sets;    /* DMI_SET_FEATURES -> the set is a body that moves */
-    dmi_tree_ensemble context; /* those and DMI_CONTEXT_FEATURES -> the same, in view of the asset's other sets */
+    /* those and DMI_CONTEXT_FEATURES -> the same, in view of how the asset's other sets were rated in the round before */
+    dmi_tree_ensemble context[DMI_CONTEXT_ROUNDS];
 } dmi_asset_models;
 
 /* Loads the models from a file. Release with dmi_asset_models_release. */

@@ -69,6 +69,16 @@ dm_result dmi_node_set_make(dmi_arena* arena, const dmi_node_cells* grid, const 
     return DM_OK;
 }
 
+static bool is_inside(const dmi_node_cells* g, const float point[3]) {
+    for (int k = 0; k < 3; k++)
+        if (point[k] < g->low[k] || point[k] >= g->low[k] + g->cell * (float)g->size[k]) return false;
+    return true;
+}
+
+bool dmi_node_set_meets(const dmi_node_set* set, const float point[3]) {
+    return is_inside(set->grid, point) && is_taken(set, UINT32_MAX, dmi_cell_at(set->grid, point));
+}
+
 /* Moves a point; returns whether it is still inside the grid. */
 static bool move_point(const dmi_node_cells* g, const dmi_set_motion* m, float sine, float cosine, const float point[3],
                        float out[3]) {
@@ -77,9 +87,7 @@ static bool move_point(const dmi_node_cells* g, const dmi_set_motion* m, float s
     out[m->axis] = point[m->axis] + m->shift[m->axis];
     out[b] = m->at[b] + cosine * y - sine * z + m->shift[b];
     out[c] = m->at[c] + sine * y + cosine * z + m->shift[c];
-    for (int k = 0; k < 3; k++)
-        if (out[k] < g->low[k] || out[k] >= g->low[k] + g->cell * (float)g->size[k]) return false;
-    return true;
+    return is_inside(g, out);
 }
 
 float dmi_node_set_collide(const dmi_node_set* set, uint32_t against, const dmi_set_motion* motion) {

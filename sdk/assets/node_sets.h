@@ -26,6 +26,8 @@ typedef struct dmi_set_motion {
     float angle, at[3], shift[3];
 } dmi_set_motion;
 
+/* Returns whether a point is in a cell of a node outside, that is of any node that is no member. */
+bool dmi_node_set_meets(const dmi_node_set* set, const float point[3]);
 /* Returns the share of the set's points that the motion takes into cells of nodes outside. Points that touch such a
  * cell at rest do not count. */
 float dmi_node_set_collide(const dmi_node_set* set, uint32_t against, const dmi_set_motion* motion);

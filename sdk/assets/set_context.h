@@ -5,7 +5,7 @@
 
 #include "assets/merge_tree.h"
 
-#define DMI_CONTEXT_FEATURES 10
+#define DMI_CONTEXT_FEATURES 17
 
 /* Computes the numbers of all sets. links: of the tree's sets; moves: probability of each by its own features. All
  * memory comes from the arena. */

@@ -195,6 +195,7 @@ dm_result dmi_set_features_make(dmi_arena* arena, const dmi_node_cells* grid, co
         put_set_labels(&r, &set, facts->labels, nodes, count);
         put_touched_region(&r, &set);
         put_rest(&r, &set, stack, seen);
+        dmi_put_openings(&r, &set, facts, ways, nodes);
         assert(r.count == DMI_SET_FEATURES);
     }
     dmi_arena_rewind(arena, mark);

@@ -2,9 +2,9 @@
 #ifndef DMI_ASSETS_SET_FEATURES_H
 #define DMI_ASSETS_SET_FEATURES_H
 
-#include "assets/asset_facts.h"
+#include "assets/set_openings.h"
 
-#define DMI_SET_FEATURES 80
+#define DMI_SET_FEATURES (80 + DMI_OPENING_FEATURES)
 
 /* What a set's features take from the grouping and not from its shape. */
 typedef struct dmi_set_links {

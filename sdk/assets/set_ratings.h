@@ -7,13 +7,13 @@
 #define DMI_RATED_FEATURES (DMI_SET_FEATURES + DMI_CONTEXT_FEATURES)
 
 typedef struct dmi_set_ratings {
-    float (*features)[DMI_RATED_FEATURES]; /* of each set; its own, then those of its context */
-    float* alone;                          /* probability by the set's own features */
-    float* moves;                          /* and in view of the others */
+    float (*features)[DMI_RATED_FEATURES]; /* of each set; its own, then those of its context in the last round */
+    float* moves;                          /* probability of each set after the last round */
 } dmi_set_ratings;
 
-/* All memory comes from the arena. */
+/* rounds: how many times the sets are rated in view of each other, up to DMI_CONTEXT_ROUNDS. All memory comes from the
+ * arena. */
 dm_result dmi_set_ratings_make(dmi_arena* arena, const dmi_merge_tree* tree, const dmi_asset_models* models,
-                               const dmi_progress* progress, dmi_set_ratings* out);
+                               int rounds, const dmi_progress* progress, dmi_set_ratings* out);
 
 #endif

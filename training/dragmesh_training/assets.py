@@ -1,6 +1,6 @@
-"""The trees that group an asset's nodes (sdk/assets), fitted on generated assets. Three ensembles: one rates whether two nodes are
-one body; one which of the sets that merging by it makes are bodies that move, by the set alone; one the same in view of the
-asset's other sets.
+"""The trees that group an asset's nodes (sdk/assets), fitted on generated assets. One ensemble rates whether two nodes are
+one body; one which of the sets that merging by it makes are bodies that move, by the set alone; two the same, each in view of how
+the one before rated the asset's other sets.
 
     PYTHONPATH=training python3 -m dragmesh_training.assets -o sdk/models/asset_parts.safetensors
 
@@ -22,7 +22,10 @@ from .files import save_arrays
 from .lab import Options, category_weights, chosen_kinds, kinds, open_lab
 
 ARCHITECTURE = "dragmesh-asset-parts"
-PAIR_TREES, SET_TREES, CONTEXT_TREES, LEAVES = 300, 400, 200, 32  # as in sdk/assets/asset_models.c and sdk/nn/tree_ensemble.h
+PAIR_TREES, SET_TREES, CONTEXT_TREES, LEAVES = 300, 800, 300, 32  # as in sdk/assets/asset_models.c and sdk/nn/tree_ensemble.h
+TREES = {"pairs": PAIR_TREES, "sets": SET_TREES, "context": CONTEXT_TREES, "context_again": CONTEXT_TREES}
+ROUNDS = ("context", "context_again")  # ensembles of DMI_CONTEXT_ROUNDS
+PAIR_RATE, SET_RATE = 0.06, 0.03  # shrinkage of each tree's leaves, on kinds held out
 FOUND = 0.9  # overlap with the true body from which a set counts as found
 EVEN = 0.25  # as in sdk/assets/asset_grouping.c
 EVERYDAY_FACTOR = 4  # by hand
@@ -46,9 +49,9 @@ def asset_weights(lab, which):
     return mask
 
 
-def make_batch(lab, weights, which, seed):
-    """Features, targets, children, first rows and numbers of movers of BATCH assets. weights: bytes of the pairs' trees; None: the
-    rows are of pairs."""
+def make_batch(lab, weights, rounds, which, seed):
+    """Features, targets, children, first rows and numbers of movers of BATCH assets. weights: bytes of the trees so far; None: the
+    rows are of pairs. rounds: times that sets are seen in context."""
     columns = lab.dm_lab_asset_pair_columns() if weights is None else lab.dm_lab_asset_set_columns()
     mask = asset_weights(lab, which)
     options = Options(seed, BATCH, 0, mask.ctypes.data, 0.3)
@@ -56,7 +59,7 @@ def make_batch(lab, weights, which, seed):
     children, first, movers = np.zeros((CAPACITY, 2), np.int32), np.zeros(BATCH + 1, np.uint32), np.zeros(BATCH, np.uint32)
     rows = AssetRows(CAPACITY, *[array.ctypes.data for array in (features, target, children, first, movers)])
     result = (lab.dm_lab_asset_pairs(ctypes.byref(options), ctypes.byref(rows)) if weights is None else
-              lab.dm_lab_asset_sets(ctypes.byref(options), weights, ctypes.c_size_t(len(weights)), ctypes.byref(rows)))
+              lab.dm_lab_asset_sets(ctypes.byref(options), weights, ctypes.c_size_t(len(weights)), rounds, ctypes.byref(rows)))
     if result != 0:
         raise RuntimeError(f"dm_lab_asset rows: {result}")
     used = first[-1]
@@ -65,21 +68,21 @@ def make_batch(lab, weights, which, seed):
 
 def make_kept(task):
     """One batch, from the cache when it is there."""
-    library, weights, which, seed, path = task
+    library, weights, rounds, which, seed, path = task
     if path and os.path.exists(path):
         with np.load(path) as held:
             return [held[key] for key in held.files]
-    arrays = make_batch(open_lab(library), weights, which, seed)
+    arrays = make_batch(open_lab(library), weights, rounds, which, seed)
     if path:
         save_arrays(path, *arrays)
     return arrays
 
 
-def gather(options, weights, which, count, seed):
+def gather(options, weights, rounds, which, count, seed):
     """Arrays of `count` assets, made side by side."""
     name = f"{'pairs' if weights is None else 'sets'}_{which}_{seed}"
     paths = [options.cache and os.path.join(options.cache, f"{name}_{batch}.npz") for batch in range(count // BATCH)]
-    tasks = [(options.lab, weights, which, seed * 1000003 + batch, path) for batch, path in enumerate(paths)]
+    tasks = [(options.lab, weights, rounds, which, seed * 1000003 + batch, path) for batch, path in enumerate(paths)]
     with multiprocessing.Pool(options.workers) as pool:
         parts = pool.map(make_kept, tasks, chunksize=1)
     starts = np.cumsum([0] + [len(part[0]) for part in parts])
@@ -96,12 +99,12 @@ def row_weights(first):
     return weights / weights.mean()
 
 
-def grow(lab, features, target, first, count, seed):
+def grow(lab, features, target, first, count, rate, seed):
     """(columns, values) of the trees that give each row's log odds."""
     edges = bin_edges(features[::max(1, len(features) // EDGE_ROWS)])
     arrays = (first, put_into_bins(features, edges), np.log(row_weights(first)).astype(np.float32), target.astype(np.float32))
     rows = Rows(features.shape[1], len(first) - 1, *[array.ctypes.data for array in arrays], None)
-    rule = Rule(count, LEAVES, 8, 0.06, 2, 5, 0.6, 0.4, seed, 1)
+    rule = Rule(count, LEAVES, 8, rate, 2, 5, 0.6, 0.4, seed, 1)
     nodes = {name: np.zeros((count, 2 * LEAVES - 1), dtype) for name, dtype in (
         ("column", np.int32), ("bin", np.int32), ("left", np.int32), ("score", np.float32))}
     report = ctypes.CFUNCTYPE(None, ctypes.c_uint32, ctypes.c_double)(
@@ -167,12 +170,18 @@ def write(path, metadata, **ensembles):
         return file.read()
 
 
+def untrained(grown):
+    """Trees that answer 0, of the ensembles that are not grown yet: a file needs all."""
+    return {name: (np.full((count, 2 * LEAVES - 1), -1, np.float16), np.zeros((count, 2 * LEAVES - 1), np.float16))
+            for name, count in TREES.items() if name not in grown}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("-o", "--out", required=True)
     parser.add_argument("--pairs", type=int, default=5000, help="assets that the pairs are from")
-    parser.add_argument("--sets", type=int, default=20000, help="assets that the sets are from")
-    parser.add_argument("--context", type=int, default=5000, help="assets that the sets in context are from")
+    parser.add_argument("--sets", type=int, default=30000, help="assets that the sets are from")
+    parser.add_argument("--context", type=int, default=8000, help="assets that the sets of each round in context are from")
     parser.add_argument("--held-out", type=int, default=400, help="assets of the kinds that are not trained on")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--workers", type=int, default=2)
@@ -185,24 +194,21 @@ def main():
     if not options.lab:
         options.lab = lab._name
     metadata = {"architecture": ARCHITECTURE, "version": "1", "commit": commit()}
-    features, target, _, first, _ = gather(options, None, "trained", options.pairs, options.seed)
+    features, target, _, first, _ = gather(options, None, 0, "trained", options.pairs, options.seed)
     print(f"{len(features)} pairs", flush=True)
-    pairs = grow(lab, features, target, first, PAIR_TREES, options.seed)
-    empty = {"sets": SET_TREES, "context": CONTEXT_TREES}
-    empty = {name: (np.full((count, 2 * LEAVES - 1), -1, np.float16), np.zeros((count, 2 * LEAVES - 1), np.float16))
-             for name, count in empty.items()}
-    weights = write(options.out, metadata, pairs=pairs, **empty)
-    features, overlap, _, first, _ = gather(options, weights, "trained", options.sets, options.seed + 1)
-    print(f"{len(features)} sets", flush=True)
+    grown = {"pairs": grow(lab, features, target, first, PAIR_TREES, PAIR_RATE, options.seed)}
+    weights = write(options.out, metadata, **grown, **untrained(grown))
     own = lab.dm_lab_asset_set_columns() - lab.dm_lab_asset_context_columns()
-    sets = grow(lab, features[:, :own], overlap >= FOUND, first, SET_TREES, options.seed)
-    weights = write(options.out, metadata, pairs=pairs, sets=sets, context=empty["context"])
-    features, overlap, _, first, _ = gather(options, weights, "trained", options.context, options.seed + 2)
-    context = grow(lab, features, overlap >= FOUND, first, CONTEXT_TREES, options.seed)
-    write(options.out, metadata, pairs=pairs, sets=sets, context=context)
-    held_out = gather(options, weights, "test_only", options.held_out, options.seed + 3)
-    print("kinds held out, sets alone:", score(sets, (held_out[0][:, :own], *held_out[1:])), flush=True)
-    print("kinds held out, in context:", score(context, held_out), flush=True)
+    for stage, name in enumerate(("sets", *ROUNDS)):
+        count, rounds = (options.sets, 1) if stage == 0 else (options.context, stage)
+        features, overlap, _, first, _ = gather(options, weights, rounds, "trained", count, options.seed + 1 + stage)
+        print(f"{len(features)} sets for {name}", flush=True)
+        features = features[:, :own] if stage == 0 else features
+        grown[name] = grow(lab, features, overlap >= FOUND, first, TREES[name], SET_RATE, options.seed)
+        weights = write(options.out, metadata, **grown, **untrained(grown))
+    for stage, name in enumerate(ROUNDS):
+        held_out = gather(options, weights, stage + 1, "test_only", options.held_out, options.seed + 1000 + stage)
+        print(f"kinds held out, {name}:", score(grown[name], held_out), flush=True)
 
 
 if __name__ == "__main__":

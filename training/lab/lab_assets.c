@@ -192,13 +192,14 @@ static float overlap_of(const drawn* d, const uint32_t* units, uint32_t count) {
     return best;
 }
 
-static dm_result write_sets(drawn* d, const dmi_asset_models* models, const dm_lab_asset_rows* out, uint32_t* used) {
+static dm_result write_sets(drawn* d, const dmi_asset_models* models, int rounds, const dm_lab_asset_rows* out,
+                            uint32_t* used) {
     dmi_merge_tree tree;
     dm_result result = dmi_merge_tree_make(&d->arena, &d->cells, &d->labels, models, NULL, &tree);
     if (result != DM_OK) return result;
     if (tree.set_count > out->capacity - *used) return DM_ERROR_TOO_LARGE;
     dmi_set_ratings ratings;
-    result = dmi_set_ratings_make(&d->arena, &tree, models, NULL, &ratings);
+    result = dmi_set_ratings_make(&d->arena, &tree, models, rounds, NULL, &ratings);
     const uint32_t first = *used;
     for (uint32_t s = 0; result == DM_OK && s < tree.set_count; s++, ++*used) {
         const uint32_t* members = tree.members + tree.first[s];
@@ -213,7 +214,7 @@ static dm_result write_sets(drawn* d, const dmi_asset_models* models, const dm_l
 
 /* ---- batches ---- */
 
-static dm_result write_batch(dmi_env* env, const dm_lab_options* options, const dmi_asset_models* models,
+static dm_result write_batch(dmi_env* env, const dm_lab_options* options, const dmi_asset_models* models, int rounds,
                              const dm_lab_asset_rows* out) {
     uint32_t used = 0;
     dm_result result = DM_OK;
@@ -222,7 +223,7 @@ static dm_result write_batch(dmi_env* env, const dm_lab_options* options, const 
         out->first[i] = used;
         result = open_asset(env, options, i, &d);
         if (result == DM_OK && d.unit_count > 0)
-            result = out->children != NULL ? write_sets(&d, models, out, &used) : write_pairs(&d, out, &used);
+            result = out->children != NULL ? write_sets(&d, models, rounds, out, &used) : write_pairs(&d, out, &used);
         out->movers[i] = count_movers(&d);
         close_asset(&d);
     }
@@ -235,17 +236,17 @@ dm_result dm_lab_asset_pairs(const dm_lab_options* options, const dm_lab_asset_r
     dmi_env_init(&env, NULL, NULL, NULL);
     dm_lab_asset_rows rows = *out;
     rows.children = NULL;
-    return write_batch(&env, options, NULL, &rows);
+    return write_batch(&env, options, NULL, 0, &rows);
 }
 
 dm_result dm_lab_asset_sets(const dm_lab_options* options, const void* weights, size_t weights_size,
-                            const dm_lab_asset_rows* out) {
+                            uint32_t rounds, const dm_lab_asset_rows* out) {
     dmi_env env;
     dmi_env_init(&env, NULL, NULL, NULL);
     dmi_asset_models models;
     dm_result result = dmi_asset_models_load(&env, weights, weights_size, &models);
     if (result != DM_OK) return result;
-    result = write_batch(&env, options, &models, out);
+    result = write_batch(&env, options, &models, (int)rounds, out);
     dmi_asset_models_release(&models);
     return result;
 }

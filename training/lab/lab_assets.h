@@ -21,8 +21,8 @@ DM_API uint32_t dm_lab_asset_context_columns(void);
 /* options: seed, count, split, categories and messy are read. */
 DM_API dm_result dm_lab_asset_pairs(const dm_lab_options* options, const dm_lab_asset_rows* out);
 /* weights: bytes of a file of architecture dragmesh-asset-parts, whose trees of pairs merge the nodes, and whose trees
- * of sets give the last columns. */
+ * of sets give the last columns, after as many rounds (1 or more) as are wanted. */
 DM_API dm_result dm_lab_asset_sets(const dm_lab_options* options, const void* weights, size_t weights_size,
-                                   const dm_lab_asset_rows* out);
+                                   uint32_t rounds, const dm_lab_asset_rows* out);
 
 #endif
