@@ -289,7 +289,7 @@ local gltf_macros = has_draco and {} or { "DMI_NO_DRACO" }
 -- Its sizes have 64 bits throughout: machines whose addresses have 32 do without it.
 local has_gltf = cross ~= "linux-arm32"
 if has_gltf then
-    shared("dragmesh_gltf", { "sdk/mesh/gltf/*.c", "sdk/mesh/gltf/*.cpp" },
+    shared("dragmesh_gltf", { "sdk/mesh/gltf/*.c", "sdk/mesh/gltf/*.cpp", "sdk/mesh/export/*.c" },
         { api, include_folder("dragmesh_gltf", "sdk", { "base", "math", "mesh" }) },
         { "meshoptimizer", "dragmesh_core", "m" }, "plugin_api/dragmesh_gltf.map")
         language "C++"

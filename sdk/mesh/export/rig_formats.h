@@ -1,0 +1,20 @@
+/* Formats of rigged assets: each prints the model. */
+#ifndef DMI_MESH_EXPORT_RIG_FORMATS_H
+#define DMI_MESH_EXPORT_RIG_FORMATS_H
+
+#include "mesh/export/rig_model.h"
+#include "mesh/export/rig_text.h"
+
+typedef void dmi_rig_print(const dmi_rig_model* model, dmi_text* out);
+
+dmi_rig_print dmi_rig_print_urdf, dmi_rig_print_mjcf;
+/* One mesh as Wavefront's OBJ, in metres. */
+void dmi_rig_print_obj(const dmi_rig_mesh* mesh, dmi_text* out);
+
+#define DMI_RIG_MESHES "meshes/" /* the folder of the OBJ files */
+
+/* What the files of all formats state of a joint without limits of its own, and of how it is driven. By hand. */
+#define DMI_RIG_EFFORT 1000.0  /* N, N m: most that drives it */
+#define DMI_RIG_VELOCITY 100.0 /* m/s, rad/s: most that it moves */
+
+#endif
