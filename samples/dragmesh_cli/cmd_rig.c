@@ -40,14 +40,16 @@ static int rig_file(const char* file, const char* models, const rig_output* outp
 }
 
 static int run(int argc, char** argv) {
-    const char *file = NULL, *models = NULL, *names = "on";
+    const char *file = NULL, *models = NULL, *names = "on", *formats = "glb";
     int no_clips = 0, as_json = 0, is_worker = 0, workers = 1;
+    char unknown[RIG_FORMATS_TEXT];
     rig_output output = {.up = "y"};
     rig_options options = {.min_moves = RIG_USUAL_MOVES};
     const option_spec table[] = {{.name = "-o", .kind = OPTION_TEXT, .value = &output.path},
                                  {.name = "--names", .kind = OPTION_CHOICE, .value = &names, .choices = switches},
                                  {.name = "--no-clips", .kind = OPTION_FLAG, .value = &no_clips},
                                  {.name = "--min-moves", .kind = OPTION_NUMBER, .value = &options.min_moves},
+                                 {.name = "--formats", .kind = OPTION_TEXT, .value = &formats},
                                  {.name = "--up", .kind = OPTION_TEXT, .value = &output.up},
                                  {.name = "-j", .kind = OPTION_INTEGER, .value = &workers},
                                  {.name = "--json", .kind = OPTION_FLAG, .value = &as_json},
@@ -57,9 +59,12 @@ static int run(int argc, char** argv) {
     if (status != CLI_OK) return status;
     options.without_names = strcmp(names, "off") == 0;
     options.without_clips = no_clips;
+    options.formats = rig_read_formats(formats, unknown, sizeof unknown);
     output.as_json = as_json;
     output.is_worker = is_worker;
     status = check(&output, &options, file, names);
+    if (status == CLI_OK && options.formats == 0)
+        status = options_refuse(&cli_rig, "--formats: '%s' is none of glb, urdf, mjcf", unknown);
     if (status == CLI_OK && (workers < 1 || workers > MOST_WORKERS))
         status = options_refuse(&cli_rig, "-j: 1 to %d", MOST_WORKERS);
     if (status != CLI_OK) return status;
@@ -68,11 +73,13 @@ static int run(int argc, char** argv) {
 }
 
 const cli_command cli_rig = {
-    "rig", run, "FILE.glb|FOLDER -o OUT [--names on|off] [--no-clips] [--min-moves P] [--up x|y|z] [-j N] [--json]",
+    "rig", run, "FILE.glb|FOLDER -o OUT [--formats LIST] [--names on|off] [--no-clips] [--min-moves P] [--up x|y|z] [-j N]\n"
+    "        [--json]",
     "Rigs whole assets: which nodes move, how, and what carries what. OUT.json gets the answer alone; a folder OUT "
     "gets\n"
     "    rig.json, rigged.glb, which opens and closes, with joints in `extras`, and film.png. Of a FOLDER, each .glb\n"
     "    and .gltf in it, and object.glb of each folder in it, gets a folder of its own in OUT; -j works on N at a "
     "time,\n"
     "    and what is done already is left as it is.\n"
+    "    --formats: what a folder gets: a list of glb (rigged.glb, if nothing else is said), urdf and mjcf.\n"
     "    --names off, --no-clips: names, or clips, say nothing. --min-moves: probability from which on a part moves."};

@@ -131,11 +131,13 @@ static void finish(run* run, const asset* asset, int status) {
 /* ---- workers ---- */
 
 static bool start_worker(const run* run, const asset* asset, platform_child* out_child) {
-    char moves[32];
+    char moves[32], formats[RIG_FORMATS_TEXT];
     const char* arguments[MOST_ARGUMENTS] = {"dragmesh",    "rig",  "--worker",     "-o",
                                              asset->folder, "--up", run->output->up};
     int count = 7;
     snprintf(moves, sizeof moves, "%.17g", run->options->min_moves);
+    rig_format_names(run->options->formats, formats, sizeof formats);
+    arguments[count++] = "--formats", arguments[count++] = formats;
     arguments[count++] = "--min-moves", arguments[count++] = moves;
     arguments[count++] = "--names", arguments[count++] = run->options->without_names ? "off" : "on";
     if (run->options->without_clips) arguments[count++] = "--no-clips";
@@ -185,7 +187,7 @@ static void work(run* run, int workers) {
 
 int rig_folder(const char* folder, const char* models, const rig_output* output, const rig_options* options,
                int workers) {
-    char text[128];
+    char text[RIG_OPTIONS_TEXT];
     run run = {.folder = folder,
                .models = models,
                .options_text = rig_options_text(options, text, sizeof text),

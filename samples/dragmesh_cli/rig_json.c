@@ -6,8 +6,10 @@
 
 const char* rig_options_text(const rig_options* options, char* out, size_t size) {
     const uint32_t version = dm_version();
-    snprintf(out, size, "version %u, names %s, clips %s, min-moves %.4g", version,
-             options->without_names ? "off" : "on", options->without_clips ? "off" : "on", options->min_moves);
+    char formats[RIG_FORMATS_TEXT];
+    rig_format_names(options->formats, formats, sizeof formats);
+    snprintf(out, size, "version %u, names %s, clips %s, min-moves %.4g, formats %s", version,
+             options->without_names ? "off" : "on", options->without_clips ? "off" : "on", options->min_moves, formats);
     return out;
 }
 
@@ -52,7 +54,7 @@ static cJSON* part_to_json(const session* session, const rig* rig, uint32_t inde
 }
 
 cJSON* rig_to_json(const session* session, const rig* rig, const rig_options* options) {
-    char text[128];
+    char text[RIG_OPTIONS_TEXT];
     cJSON* out = cJSON_CreateObject();
     cJSON_AddStringToObject(out, "options", rig_options_text(options, text, sizeof text));
     cJSON* parts = cJSON_AddArrayToObject(out, "parts");

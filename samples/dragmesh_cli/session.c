@@ -33,6 +33,10 @@ static void DM_CALL on_message(void* user, int32_t level, dm_result code, const 
         warn(user, text);
 }
 
+dm_log session_log(session* session) {
+    return (dm_log){session, on_message};
+}
+
 void session_warnings_to_json(const session* session, cJSON* out) {
     warnings_to_json(&session->file_warnings, out);
     warnings_to_json(&session->object_warnings, out);
@@ -68,7 +72,7 @@ dm_result session_write(session* session, const char* path, const void* data, si
 bool session_init(session* session, const dm_allocator* allocator, enum session_method method) {
     memset(session, 0, sizeof *session);
     session->method = method;
-    dm_context_desc desc = {.struct_size = sizeof desc, .log = {session, on_message}};
+    dm_context_desc desc = {.struct_size = sizeof desc, .log = session_log(session)};
     if (allocator != NULL) desc.allocator = *allocator;
     return dm_context_create(&desc, &session->context) == DM_OK;
 }
@@ -112,7 +116,7 @@ static dm_result open_input(session* session) {
     char* bytes = file_read("-", &size);
     if (bytes == NULL)
         return session_fail(session, DM_ERROR_NOT_FOUND, "can't read standard input: %s", file_problem());
-    const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = bytes, .size = size, .log = {session, on_message}};
+    const dm_gltf_desc desc = {.struct_size = sizeof desc, .data = bytes, .size = size, .log = session_log(session)};
     const dm_result result =
         size > 0 ? dm_gltf_open(&desc, &session->gltf) : session_fail(session, DM_ERROR_BAD_DATA, "it is empty");
     free(bytes);
@@ -120,7 +124,7 @@ static dm_result open_input(session* session) {
 }
 
 static dm_result open_path(session* session, const char* path) {
-    const dm_gltf_desc desc = {.struct_size = sizeof desc, .log = {session, on_message}};
+    const dm_gltf_desc desc = {.struct_size = sizeof desc, .log = session_log(session)};
     return dm_gltf_open_file(path, &desc, &session->gltf);
 }
 

@@ -60,6 +60,9 @@ dm_result session_fail_to_write(session* session, const char* path);
 /* Writes a whole file; session->error. */
 dm_result session_write(session* session, const char* path, const void* data, size_t size);
 
+/* The log that keeps the library's messages in the session. */
+dm_log session_log(session* session);
+
 /* DM_PREPARE_* for an object of the session's file and method. */
 uint32_t session_prepare_flags(const session* session);
 

@@ -1,0 +1,103 @@
+/* The files for engines and simulators beside rig.json. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "dragmesh/ext/gltf_rig.h"
+#include "files.h"
+#include "rig.h"
+
+typedef struct format {
+    const char* name;
+    uint32_t bit;
+} format;
+
+static const format formats[] = {{"glb", RIG_GLB}, {"urdf", DM_GLTF_RIG_URDF}, {"mjcf", DM_GLTF_RIG_MJCF}};
+enum { FORMATS = sizeof formats / sizeof *formats };
+
+uint32_t rig_read_formats(const char* list, char* out_unknown, size_t size) {
+    uint32_t found = 0;
+    for (const char* at = list; *at;) {
+        const size_t length = strcspn(at, ",");
+        int i = 0;
+        while (i < FORMATS && (strlen(formats[i].name) != length || strncmp(formats[i].name, at, length) != 0)) i++;
+        if (i == FORMATS) {
+            snprintf(out_unknown, size, "%.*s", (int)length, at);
+            return 0;
+        }
+        found |= formats[i].bit;
+        at += length + (at[length] == ',');
+    }
+    if (found == 0) snprintf(out_unknown, size, "none");
+    return found;
+}
+
+void rig_format_names(uint32_t asked, char* out, size_t size) {
+    size_t length = 0;
+    for (int i = 0; i < FORMATS && length < size; i++)
+        if (asked & formats[i].bit)
+            length += (size_t)snprintf(out + length, size - length, "%s%s", length > 0 ? "," : "", formats[i].name);
+}
+
+/* The colours of the nodes; those behind the file's own have none of their own. */
+static float* read_colours(const session* session, const rig* rig) {
+    enum { CHANNELS = 4 };
+    float* out = cli_alloc((size_t)rig->node_count * CHANNELS * sizeof *out);
+    for (uint32_t i = 0; i < rig->node_count; i++) {
+        dm_gltf_node node = {.colour = {1, 1, 1, 1}};
+        if (i < dm_gltf_node_count(session->gltf)) dm_gltf_get_node(session->gltf, i, &node);
+        memcpy(out + (size_t)CHANNELS * i, node.colour, sizeof node.colour);
+    }
+    return out;
+}
+
+static dm_result write_files(session* session, const dm_gltf_rig* files, const char* folder) {
+    char* meshes = path_join(folder, "meshes");
+    dm_result result =
+        platform_make_folder(meshes) == 0 || errno == EEXIST ? DM_OK : session_fail_to_write(session, meshes);
+    for (uint32_t i = 0; i < dm_gltf_rig_file_count(files) && result == DM_OK; i++) {
+        dm_gltf_rig_file file;
+        dm_gltf_rig_get_file(files, i, &file);
+        char* path = path_join(folder, file.path);
+        result = session_write(session, path, file.data, file.size);
+        free(path);
+    }
+    free(meshes);
+    return result;
+}
+
+dm_result rig_write_formats(session* session, const rig* rig, uint32_t asked, const char* folder) {
+    char name[DM_MAX_LABEL + 1];
+    const uint32_t count = rig->info.part_count;
+    dm_asset_part* parts = cli_alloc(count * sizeof *parts);
+    dm_joint* joints = cli_alloc(count * sizeof *joints);
+    uint32_t* node_parts = cli_alloc(rig->node_count * sizeof *node_parts);
+    float* colours = read_colours(session, rig);
+    part_hints_file_stem(session->path, name, sizeof name);
+    for (uint32_t i = 0; i < count; i++) {
+        parts[i] = rig->parts[i].part;
+        joints[i] = rig->parts[i].joint;
+    }
+    const dm_gltf_rig_desc desc = {.struct_size = sizeof desc,
+                                   .formats = asked & ~(uint32_t)RIG_GLB,
+                                   .nodes = rig->nodes,
+                                   .parts = parts,
+                                   .joints = joints,
+                                   .node_parts = node_parts,
+                                   .colours = colours,
+                                   .name = name,
+                                   .node_count = rig->node_count,
+                                   .part_count = count,
+                                   .log = session_log(session)};
+    dm_gltf_rig* files = NULL;
+    dm_result result = dm_asset_get_node_parts(session->context, rig->asset, node_parts, rig->node_count);
+    if (result == DM_OK) result = dm_gltf_rig_make(&desc, &files);
+    if (result == DM_OK) result = write_files(session, files, folder);
+    dm_gltf_rig_free(files);
+    free(parts);
+    free(joints);
+    free(node_parts);
+    free(colours);
+    return result;
+}
