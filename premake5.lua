@@ -423,6 +423,11 @@ for _, room in ipairs { "unit", "golden", "e2e", "abi" } do
 end
 if cross then return end
 
+-- What simulators load of rigged assets, compared with ours (tests/e2e/exports.sh).
+if installed "mujoco/mujoco.h" then
+    program("check_mujoco", { "tests/e2e/exports/check_mujoco.c" }, everything, { "mujoco", "dragmesh_gltf", "cjson", "m" }, "/tests")
+end
+
 -- A main for fuzz targets; an archive, so that libFuzzer's comes before it where that is linked.
 library("fuzz_driver", { "tests/fuzz/driver.c" }, { api, "sdk" })
 
