@@ -70,14 +70,19 @@ static dm_result set_joint(dm_gltf* gltf, dmi_gltf_asset* asset, uint32_t index,
 
 /* ---- extras ---- */
 
+static const char* const type_names[] = {[DM_JOINT_REVOLUTE] = "revolute",
+                                         [DM_JOINT_PRISMATIC] = "prismatic",
+                                         [DM_JOINT_SCREW] = "screw",
+                                         [DM_JOINT_CONTINUOUS] = "continuous",
+                                         [DM_JOINT_FIXED] = "fixed"};
+
+const char* dmi_gltf_joint_name(int32_t type) {
+    return type >= DM_JOINT_UNKNOWN && type <= DM_JOINT_FIXED ? type_names[type] : NULL;
+}
+
 static int32_t find_type(const char* name) {
-    static const char* const names[] = {[DM_JOINT_REVOLUTE] = "revolute",
-                                        [DM_JOINT_PRISMATIC] = "prismatic",
-                                        [DM_JOINT_SCREW] = "screw",
-                                        [DM_JOINT_CONTINUOUS] = "continuous",
-                                        [DM_JOINT_FIXED] = "fixed"};
     for (int32_t type = DM_JOINT_REVOLUTE; name && type <= DM_JOINT_FIXED; type++)
-        if (strcmp(name, names[type]) == 0) return type;
+        if (strcmp(name, type_names[type]) == 0) return type;
     return DM_JOINT_UNKNOWN;
 }
 

@@ -8,4 +8,7 @@
  * than one way to move, is left out with a warning. */
 dm_result dmi_gltf_read_joints(dm_gltf* gltf, dmi_gltf_asset* asset, dmi_gltf_problem* problem);
 
+/* Returns the name of a DM_JOINT_* in `extras`; NULL: it has none. */
+const char* dmi_gltf_joint_name(int32_t type);
+
 #endif
