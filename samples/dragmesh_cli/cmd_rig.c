@@ -64,7 +64,7 @@ static int run(int argc, char** argv) {
     output.is_worker = is_worker;
     status = check(&output, &options, file, names);
     if (status == CLI_OK && options.formats == 0)
-        status = options_refuse(&cli_rig, "--formats: '%s' is none of glb, urdf, mjcf", unknown);
+        status = options_refuse(&cli_rig, "--formats: '%s' is none of glb, urdf, mjcf, sdf, usda, tscn", unknown);
     if (status == CLI_OK && (workers < 1 || workers > MOST_WORKERS))
         status = options_refuse(&cli_rig, "-j: 1 to %d", MOST_WORKERS);
     if (status != CLI_OK) return status;
@@ -73,7 +73,8 @@ static int run(int argc, char** argv) {
 }
 
 const cli_command cli_rig = {
-    "rig", run, "FILE.glb|FOLDER -o OUT [--formats LIST] [--names on|off] [--no-clips] [--min-moves P] [--up x|y|z] [-j N]\n"
+    "rig", run,
+    "FILE.glb|FOLDER -o OUT [--formats LIST] [--names on|off] [--no-clips] [--min-moves P] [--up x|y|z] [-j N]\n"
     "        [--json]",
     "Rigs whole assets: which nodes move, how, and what carries what. OUT.json gets the answer alone; a folder OUT "
     "gets\n"
@@ -81,5 +82,6 @@ const cli_command cli_rig = {
     "    and .gltf in it, and object.glb of each folder in it, gets a folder of its own in OUT; -j works on N at a "
     "time,\n"
     "    and what is done already is left as it is.\n"
-    "    --formats: what a folder gets: a list of glb (rigged.glb, if nothing else is said), urdf and mjcf.\n"
+    "    --formats: what a folder gets: a list of glb (rigged.glb; alone, if nothing is said), urdf, mjcf, sdf,\n"
+    "    usda and tscn.\n"
     "    --names off, --no-clips: names, or clips, say nothing. --min-moves: probability from which on a part moves."};

@@ -6,14 +6,16 @@
 #include "session.h"
 
 #define RIG_USUAL_MOVES 0.5 /* as dm_asset_desc.min_moves */
-#define RIG_GLB 0x80000000u /* rigged.glb, beside the library's DM_GLTF_RIG_* */
-enum { RIG_FORMATS_TEXT = 64, RIG_OPTIONS_TEXT = 256 }; /* bytes of a list of all formats, of rig_options_text; by hand */
+enum {
+    RIG_FORMATS_TEXT = 64,
+    RIG_OPTIONS_TEXT = 256
+}; /* bytes of a list of all formats, of rig_options_text; by hand */
 
 /* How to rig. */
 typedef struct rig_options {
     bool without_names, without_clips, without_pivots;
     double min_moves; /* probability from which on a part moves */
-    uint32_t formats; /* that are written: RIG_GLB, DM_GLTF_RIG_* */
+    uint32_t formats; /* that are written: DM_GLTF_RIG_* */
 } rig_options;
 
 typedef struct rig_part {
@@ -53,14 +55,14 @@ dm_result rig_pose(const rig* rig, float share, dm_pose* out_poses);
 /* Returns the id of the part that moves each face of the session's mesh; 0: it stays. To be freed. */
 uint32_t* rig_face_parts(const session* session, const rig* rig);
 
-/* Writes the file with an animation that opens and closes all parts, and their joints in the `extras` of the nodes that
- * it moves. */
-dm_result rig_write_scene(session* session, const rig* rig, const char* path);
+/* Makes the file with an animation that opens and closes all parts, of which at least one moves. To be released with
+ * dm_gltf_release_bytes. */
+dm_result rig_make_scene(session* session, const rig* rig, void** out_data, size_t* out_size);
 /* Reads a list of formats, "glb,urdf". Returns their bits; 0, and the name that is none: one is unknown. */
 uint32_t rig_read_formats(const char* list, char* out_unknown, size_t size);
 /* Writes the list for bits. */
 void rig_format_names(uint32_t formats, char* out, size_t size);
-/* Writes the files of the formats but for RIG_GLB, which rig_write_scene writes, into a folder. */
+/* Writes the files of the formats into a folder. Where nothing moves there is no GLB: it would be the file itself. */
 dm_result rig_write_formats(session* session, const rig* rig, uint32_t formats, const char* folder);
 /* Writes a strip of pictures from closed to open, with the axes of the parts. up: 'x', 'y' or 'z'. */
 dm_result rig_write_film(session* session, const rig* rig, char up, const char* path);

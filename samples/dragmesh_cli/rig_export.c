@@ -13,7 +13,8 @@ typedef struct format {
     uint32_t bit;
 } format;
 
-static const format formats[] = {{"glb", RIG_GLB}, {"urdf", DM_GLTF_RIG_URDF}, {"mjcf", DM_GLTF_RIG_MJCF}};
+static const format formats[] = {{"glb", DM_GLTF_RIG_GLB}, {"urdf", DM_GLTF_RIG_URDF}, {"mjcf", DM_GLTF_RIG_MJCF},
+                                 {"sdf", DM_GLTF_RIG_SDF}, {"usda", DM_GLTF_RIG_USDA}, {"tscn", DM_GLTF_RIG_TSCN}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
 uint32_t rig_read_formats(const char* list, char* out_unknown, size_t size) {
@@ -52,18 +53,43 @@ static float* read_colours(const session* session, const rig* rig) {
     return out;
 }
 
+/* The folder of the meshes is made where there are some. */
+static dm_result write_file(session* session, const dm_gltf_rig_file* file, const char* folder) {
+    const char* slash = strchr(file->path, '/');
+    char *path = path_join(folder, file->path), *end = slash != NULL ? strrchr(path, '/') : NULL;
+    dm_result result = DM_OK;
+    if (end != NULL) {
+        *end = 0;
+        if (platform_make_folder(path) != 0 && errno != EEXIST) result = session_fail_to_write(session, path);
+        *end = '/';
+    }
+    if (result == DM_OK) result = session_write(session, path, file->data, file->size);
+    free(path);
+    return result;
+}
+
 static dm_result write_files(session* session, const dm_gltf_rig* files, const char* folder) {
-    char* meshes = path_join(folder, "meshes");
-    dm_result result =
-        platform_make_folder(meshes) == 0 || errno == EEXIST ? DM_OK : session_fail_to_write(session, meshes);
+    dm_result result = DM_OK;
     for (uint32_t i = 0; i < dm_gltf_rig_file_count(files) && result == DM_OK; i++) {
         dm_gltf_rig_file file;
         dm_gltf_rig_get_file(files, i, &file);
-        char* path = path_join(folder, file.path);
-        result = session_write(session, path, file.data, file.size);
-        free(path);
+        result = write_file(session, &file, folder);
     }
-    free(meshes);
+    return result;
+}
+
+static dm_result make_files(session* session, const rig* rig, dm_gltf_rig_desc* desc, const char* folder) {
+    void* scene = NULL;
+    size_t size = 0;
+    dm_gltf_rig* files = NULL;
+    dm_result result = DM_OK;
+    if (desc->formats & DM_GLTF_RIG_GLB) result = rig_make_scene(session, rig, &scene, &size);
+    desc->scene = scene;
+    desc->scene_size = size;
+    if (result == DM_OK) result = dm_gltf_rig_make(desc, &files);
+    if (result == DM_OK) result = write_files(session, files, folder);
+    dm_gltf_rig_free(files);
+    dm_gltf_release_bytes(session->gltf, scene, size);
     return result;
 }
 
@@ -79,22 +105,21 @@ dm_result rig_write_formats(session* session, const rig* rig, uint32_t asked, co
         parts[i] = rig->parts[i].part;
         joints[i] = rig->parts[i].joint;
     }
-    const dm_gltf_rig_desc desc = {.struct_size = sizeof desc,
-                                   .formats = asked & ~(uint32_t)RIG_GLB,
-                                   .nodes = rig->nodes,
-                                   .parts = parts,
-                                   .joints = joints,
-                                   .node_parts = node_parts,
-                                   .colours = colours,
-                                   .name = name,
-                                   .node_count = rig->node_count,
-                                   .part_count = count,
-                                   .log = session_log(session)};
-    dm_gltf_rig* files = NULL;
+    if (rig->info.moving_count == 0) asked &= ~(uint32_t)DM_GLTF_RIG_GLB;
+    dm_gltf_rig_desc desc = {.struct_size = sizeof desc,
+                             .formats = asked,
+                             .nodes = rig->nodes,
+                             .parts = parts,
+                             .joints = joints,
+                             .node_parts = node_parts,
+                             .colours = colours,
+                             .name = name,
+                             .node_count = rig->node_count,
+                             .part_count = count,
+                             .origin = {session->origin[0], session->origin[1], session->origin[2]},
+                             .log = session_log(session)};
     dm_result result = dm_asset_get_node_parts(session->context, rig->asset, node_parts, rig->node_count);
-    if (result == DM_OK) result = dm_gltf_rig_make(&desc, &files);
-    if (result == DM_OK) result = write_files(session, files, folder);
-    dm_gltf_rig_free(files);
+    if (result == DM_OK && desc.formats != 0) result = make_files(session, rig, &desc, folder);
     free(parts);
     free(joints);
     free(node_parts);

@@ -28,18 +28,13 @@ static dm_result write_answer(session* session, const rig* rig, const rig_option
 
 /* The answer comes last: where it is, all is. */
 static dm_result write_folder(session* session, const rig* rig, const rig_options* options, const rig_output* output) {
-    char *scene = path_join(output->path, "rigged.glb"), *film = path_join(output->path, "film.png"),
-         *answer = path_join(output->path, RIG_ANSWER);
+    char *film = path_join(output->path, "film.png"), *answer = path_join(output->path, RIG_ANSWER);
     dm_result result = platform_make_folder(output->path) == 0 || errno == EEXIST
                            ? DM_OK
                            : session_fail_to_write(session, output->path);
-    if (result == DM_OK && (options->formats & ~RIG_GLB) != 0)
-        result = rig_write_formats(session, rig, options->formats, output->path);
-    if (result == DM_OK && rig->info.moving_count > 0 && (options->formats & RIG_GLB) != 0)
-        result = rig_write_scene(session, rig, scene);
+    if (result == DM_OK) result = rig_write_formats(session, rig, options->formats, output->path);
     if (result == DM_OK && rig->info.moving_count > 0) result = rig_write_film(session, rig, output->up[0], film);
     if (result == DM_OK) result = write_answer(session, rig, options, answer);
-    free(scene);
     free(film);
     free(answer);
     return result;

@@ -7,6 +7,7 @@
 #include "base/fp_environment.h"
 #include "base/utf8.h"
 #include "mesh/export/rig_formats.h"
+#include "mesh/export/rig_glb.h"
 
 enum { ALIGNMENT = 16, PATH = DMI_RIG_NAME + 16 };
 
@@ -32,8 +33,13 @@ typedef struct format {
 static const format formats[] = {
     {DM_GLTF_RIG_URDF, "rigged.urdf", dmi_rig_print_urdf, "URDF has no screws: it turns and does not advance"},
     {DM_GLTF_RIG_MJCF, "rigged.xml", dmi_rig_print_mjcf, NULL},
+    {DM_GLTF_RIG_SDF, "rigged.sdf", dmi_rig_print_sdf, NULL},
+    {DM_GLTF_RIG_USDA, "rigged.usda", dmi_rig_print_usda, "USD has no screws: it turns and does not advance"},
+    {DM_GLTF_RIG_TSCN, "rigged.tscn", dmi_rig_print_tscn, "Godot has no screws: it turns and does not advance"},
 };
 enum { FORMATS = sizeof formats / sizeof *formats };
+/* Formats whose files refer to those of the meshes. */
+enum { BESIDE_MESHES = DM_GLTF_RIG_URDF | DM_GLTF_RIG_MJCF | DM_GLTF_RIG_SDF | DM_GLTF_RIG_TSCN };
 
 /* ---- checks ---- */
 
@@ -50,7 +56,8 @@ static dm_result check_nodes(dmi_env* env, const dm_gltf_rig_desc* desc) {
             return dmi_fail(env, DM_ERROR_STRUCT_SIZE, "dm_gltf_rig_make: nodes[%u].struct_size is %u, not %zu", n,
                             node->struct_size, sizeof *node);
         if (!is_name(node->name))
-            return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_rig_make: nodes[%u].name is no UTF-8, or too long", n);
+            return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_rig_make: nodes[%u].name is no UTF-8, or too long",
+                            n);
         if (desc->node_parts[n] != DM_ASSET_NO_PART && desc->node_parts[n] >= desc->part_count)
             return dmi_fail(env, DM_ERROR_INDEX_OUT_OF_RANGE, "dm_gltf_rig_make: node_parts[%u] is %u of %u parts", n,
                             desc->node_parts[n], desc->part_count);
@@ -67,6 +74,9 @@ static dm_result check_nodes(dmi_env* env, const dm_gltf_rig_desc* desc) {
 
 static dm_result check_parts(dmi_env* env, const dm_gltf_rig_desc* desc) {
     for (uint32_t p = 0; p < desc->part_count; p++) {
+        if (desc->part_names != NULL && !is_name(desc->part_names[p]))
+            return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_rig_make: part_names[%u] is no UTF-8, or too long",
+                            p);
         const dm_asset_part* part = &desc->parts[p];
         const dm_joint* joint = &desc->joints[p];
         if (part->struct_size != sizeof *part || joint->struct_size != sizeof *joint)
@@ -83,11 +93,12 @@ static dm_result check_parts(dmi_env* env, const dm_gltf_rig_desc* desc) {
 }
 
 static dm_result check(dmi_env* env, const dm_gltf_rig_desc* desc) {
-    uint32_t known = 0;
+    uint32_t known = DM_GLTF_RIG_GLB;
     dmi_axes axes;
     for (int i = 0; i < FORMATS; i++) known |= formats[i].bit;
     if (desc->formats == 0 || (desc->formats & ~known) != 0)
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_rig_make: formats is %u, known are %u", desc->formats, known);
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_rig_make: formats is %u, known are %u", desc->formats,
+                        known);
     if (desc->nodes == NULL || desc->node_parts == NULL || desc->node_count == 0)
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_rig_make: no nodes");
     if (desc->part_count > 0 && (desc->parts == NULL || desc->joints == NULL))
@@ -98,6 +109,11 @@ static dm_result check(dmi_env* env, const dm_gltf_rig_desc* desc) {
     if (!dmi_axes_init(&axes, desc->axes, NULL, desc->unit_in_metres))
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_rig_make: axes %d, unit_in_metres %g", desc->axes,
                         (double)desc->unit_in_metres);
+    if ((desc->formats & DM_GLTF_RIG_GLB) &&
+        (desc->scene == NULL || desc->scene_size == 0 || desc->axes != DM_AXES_GLTF))
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_rig_make: a GLB needs `scene`, and glTF's axes");
+    if (!isfinite(desc->origin[0] + desc->origin[1] + desc->origin[2]))
+        return dmi_fail(env, DM_ERROR_NOT_FINITE, "dm_gltf_rig_make: origin");
     if (!isfinite(desc->density + desc->thickness + desc->friction + desc->damping_time))
         return dmi_fail(env, DM_ERROR_NOT_FINITE, "dm_gltf_rig_make: density, thickness, friction or damping_time");
     if (desc->density < 0 || desc->thickness < 0)
@@ -130,10 +146,10 @@ static void warn_of_joints(dm_gltf_rig* rig, const dmi_rig_model* model, const f
 }
 
 static dm_result print_files(dm_gltf_rig* rig, const dmi_rig_model* model, uint32_t asked) {
-    rig->capacity = model->mesh_count + FORMATS;
+    rig->capacity = model->mesh_count + FORMATS + 1; /* with the GLB */
     rig->files = dmi_alloc(&rig->env, rig->capacity * sizeof *rig->files, ALIGNMENT);
-    if (rig->files == NULL) return DM_ERROR_OUT_OF_MEMORY;
-    for (uint32_t m = 0; m < model->mesh_count; m++)
+    if (rig->files == NULL) return dmi_fail(&rig->env, DM_ERROR_OUT_OF_MEMORY, "dm_gltf_rig_make: no memory");
+    for (uint32_t m = 0; (asked & BESIDE_MESHES) && m < model->mesh_count; m++)
         dmi_rig_print_obj(&model->meshes[m], &add_file(rig, DMI_RIG_MESHES, model->meshes[m].name, ".obj")->text);
     for (int i = 0; i < FORMATS; i++) {
         if (!(asked & formats[i].bit)) continue;
@@ -141,8 +157,19 @@ static dm_result print_files(dm_gltf_rig* rig, const dmi_rig_model* model, uint3
         warn_of_joints(rig, model, &formats[i]);
     }
     for (uint32_t i = 0; i < rig->count; i++)
-        if (rig->files[i].text.failed) return DM_ERROR_OUT_OF_MEMORY;
+        if (rig->files[i].text.failed)
+            return dmi_fail(&rig->env, DM_ERROR_OUT_OF_MEMORY, "dm_gltf_rig_make: no memory");
     return DM_OK;
+}
+
+static dm_result write_glb(dm_gltf_rig* rig, dmi_rig_model* model) {
+    void* data = NULL;
+    size_t size = 0;
+    const dm_result result = dmi_rig_write_glb(model, &data, &size);
+    if (result == DM_OK)
+        add_file(rig, "", "rigged.glb", "")->text =
+            (dmi_text){.env = &rig->env, .data = data, .size = size, .capacity = size};
+    return result;
 }
 
 static dm_result fill(dm_gltf_rig* rig, const dm_gltf_rig_desc* desc) {
@@ -153,6 +180,7 @@ static dm_result fill(dm_gltf_rig* rig, const dm_gltf_rig_desc* desc) {
             warn(&rig->env, model.bodies[b].joint_name,
                  "it slides without limits: the asset's size either way stands for them");
     if (result == DM_OK) result = print_files(rig, &model, desc->formats);
+    if (result == DM_OK && (desc->formats & DM_GLTF_RIG_GLB)) result = write_glb(rig, &model);
     dmi_rig_model_close(&model);
     return result;
 }

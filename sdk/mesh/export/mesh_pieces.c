@@ -55,7 +55,8 @@ static bool weld(dmi_rig_model* model, finder* f) {
     memset(table, 0xff, ((size_t)mask + 1) * sizeof *table); /* literal: EMPTY in all bytes */
     for (uint32_t i = 0; i < count; i++) {
         uint32_t at = hash_point(f->mesh->points[i]) & mask;
-        while (table[at] != EMPTY && !is_same_place(f->mesh->points[table[at]], f->mesh->points[i])) at = (at + 1) & mask;
+        while (table[at] != EMPTY && !is_same_place(f->mesh->points[table[at]], f->mesh->points[i]))
+            at = (at + 1) & mask;
         if (table[at] == EMPTY) table[at] = i;
         f->welded[i] = table[at];
         f->parents[i] = i;

@@ -1,5 +1,5 @@
-/* Pieces of a mesh: what hangs together over its vertices, once those in one place are one, and whether each piece closes
- * a volume. */
+/* Pieces of a mesh: what hangs together over its vertices, once those in one place are one, and whether each piece
+ * closes a volume. */
 #ifndef DMI_MESH_EXPORT_MESH_PIECES_H
 #define DMI_MESH_EXPORT_MESH_PIECES_H
 

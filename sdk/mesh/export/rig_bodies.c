@@ -29,9 +29,12 @@ static bool moves(const dmi_rig_model* model, uint32_t part) {
 static dmi_rig_kind kind_of(const dmi_rig_model* model, uint32_t part) {
     if (model->desc->parts[part].state == DM_ASSET_FREE) return DMI_RIG_FREE;
     switch (model->desc->joints[part].type) {
-    case DM_JOINT_PRISMATIC: return DMI_RIG_SLIDE;
-    case DM_JOINT_SCREW: return DMI_RIG_SCREW;
-    default: return DMI_RIG_HINGE;
+    case DM_JOINT_PRISMATIC:
+        return DMI_RIG_SLIDE;
+    case DM_JOINT_SCREW:
+        return DMI_RIG_SCREW;
+    default:
+        return DMI_RIG_HINGE;
     }
 }
 
@@ -50,9 +53,10 @@ static void place_joint(const dmi_rig_model* model, uint32_t part, dmi_rig_body*
     body->pitch = (double)joint.pitch;
 }
 
-/* The name of the first node that has one; "" where none has. */
+/* The name that the host has for a part, else that of the first node that has one; "" where none has. */
 static const char* name_of(const dmi_rig_model* model, uint32_t part) {
     const dm_gltf_rig_desc* desc = model->desc;
+    if (desc->part_names != NULL) return desc->part_names[part] != NULL ? desc->part_names[part] : "";
     for (uint32_t n = 0; n < desc->node_count; n++)
         if (desc->node_parts[n] == part && desc->nodes[n].name != NULL && desc->nodes[n].name[0])
             return desc->nodes[n].name;
@@ -62,7 +66,8 @@ static const char* name_of(const dmi_rig_model* model, uint32_t part) {
 static void add_body(dmi_rig_model* model, uint32_t part, uint32_t parent) {
     dmi_rig_body* body = &model->bodies[model->body_count++];
     char start[DMI_RIG_NAME];
-    *body = (dmi_rig_body){.part = part, .parent = parent, .kind = kind_of(model, part), .original = name_of(model, part)};
+    *body =
+        (dmi_rig_body){.part = part, .parent = parent, .kind = kind_of(model, part), .original = name_of(model, part)};
     snprintf(start, sizeof start, "part_%u", part + 1);
     dmi_legal_name(start, body->original, body->name, sizeof body->name);
     snprintf(start, sizeof start, "joint_%u", part + 1);
@@ -101,6 +106,7 @@ dm_result dmi_rig_make_bodies(dmi_rig_model* model, uint32_t* out_part_bodies) {
     for (uint32_t i = 0; i < count; i++) out_part_bodies[i] = UNSET;
     for (uint32_t i = 0; i < count; i++)
         if (!add_chain(model, i, chain, out_part_bodies))
-            return dmi_fail(model->env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_rig_make: parts carry each other in a circle");
+            return dmi_fail(model->env, DM_ERROR_INVALID_ARGUMENT,
+                            "dm_gltf_rig_make: parts carry each other in a circle");
     return DM_OK;
 }

@@ -1,7 +1,7 @@
 /* What bodies weigh, and the boxes that stand for them in collisions.
  *
- * A piece of a mesh that closes a volume is solid. One that does not is a sheet of the stated thickness. One that closes
- * less than such a sheet would fill is the sheet too: both of its sides are modelled. */
+ * A piece of a mesh that closes a volume is solid. One that does not is a sheet of the stated thickness. One that
+ * closes less than such a sheet would fill is the sheet too: both of its sides are modelled. */
 #include <math.h>
 #include <string.h>
 
@@ -46,7 +46,8 @@ static void add_simplex(moments* out, double mass, const double p[3][3], int cor
     for (int i = 0; i < 3; i++) {
         out->first[i] += mass / corners * sum[i];
         for (int j = 0; j < 3; j++)
-            out->second[i][j] += mass / pairs * (sum[i] * sum[j] + p[0][i] * p[0][j] + p[1][i] * p[1][j] + p[2][i] * p[2][j]);
+            out->second[i][j] +=
+                mass / pairs * (sum[i] * sum[j] + p[0][i] * p[0][j] + p[1][i] * p[1][j] + p[2][i] * p[2][j]);
     }
 }
 

@@ -2,14 +2,15 @@
 #include "mesh/export/rig_formats.h"
 
 static void put_heading(const dmi_rig_model* model, dmi_text* out) {
-    dmi_text_put(out,
-                 "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mujoco model=\"%s\">\n"
-                 "  <compiler angle=\"radian\" meshdir=\"" DMI_RIG_MESHES "\"/>\n"
-                 "  <default>\n    <!-- bodies of the asset meet others, and not each other -->\n"
-                 "    <default class=\"collision\"><geom type=\"box\" contype=\"1\" conaffinity=\"0\" group=\"3\"/></default>\n"
-                 "    <default class=\"visual\"><geom type=\"mesh\" contype=\"0\" conaffinity=\"0\" group=\"1\"/></default>\n"
-                 "  </default>\n  <asset>\n",
-                 model->name);
+    dmi_text_put(
+        out,
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mujoco model=\"%s\">\n"
+        "  <compiler angle=\"radian\" meshdir=\"" DMI_RIG_MESHES "\"/>\n"
+        "  <default>\n    <!-- bodies of the asset meet others, and not each other -->\n"
+        "    <default class=\"collision\"><geom type=\"box\" contype=\"1\" conaffinity=\"0\" group=\"3\"/></default>\n"
+        "    <default class=\"visual\"><geom type=\"mesh\" contype=\"0\" conaffinity=\"0\" group=\"1\"/></default>\n"
+        "  </default>\n  <asset>\n",
+        model->name);
     for (uint32_t i = 0; i < model->mesh_count; i++)
         dmi_text_put(out, "    <mesh name=\"%s\" file=\"%s.obj\"/>\n", model->meshes[i].name, model->meshes[i].name);
     dmi_text_put(out, "  </asset>\n");
@@ -53,13 +54,14 @@ static void put_content(const dmi_rig_model* model, const dmi_rig_body* body, dm
         const dmi_rig_shape* shape = &model->shapes[body->first_shape + i];
         const float* c = shape->colour;
         dmi_text_put(out, "      <geom class=\"visual\" mesh=\"%s\" pos=\"%s\" rgba=\"%s %s %s %s\"/>\n",
-                     model->meshes[shape->mesh].name, dmi_digits3(shape->place, " ").text, dmi_digits_of_float(c[0]).text,
-                     dmi_digits_of_float(c[1]).text, dmi_digits_of_float(c[2]).text, dmi_digits_of_float(c[3]).text);
+                     model->meshes[shape->mesh].name, dmi_digits3(shape->place, " ").text,
+                     dmi_digits_of_float(c[0]).text, dmi_digits_of_float(c[1]).text, dmi_digits_of_float(c[2]).text,
+                     dmi_digits_of_float(c[3]).text);
     }
     for (uint32_t i = 0; i < body->box_count; i++) {
         const dmi_rig_box* box = &model->boxes[body->first_box + i];
-        dmi_text_put(out, "      <geom class=\"collision\" pos=\"%s\" size=\"%s\"/>\n", dmi_digits3(box->centre, " ").text,
-                     dmi_digits3(box->half, " ").text);
+        dmi_text_put(out, "      <geom class=\"collision\" pos=\"%s\" size=\"%s\"/>\n",
+                     dmi_digits3(box->centre, " ").text, dmi_digits3(box->half, " ").text);
     }
 }
 

@@ -1,5 +1,5 @@
-/* A rigged asset as simulators and engines take it, whatever the format: bodies in metres, Z up, that hang on each other
- * by joints, with masses and collision boxes. The files of the formats only print it. */
+/* A rigged asset as simulators and engines take it, whatever the format: bodies in metres, Z up, that hang on each
+ * other by joints, with masses and collision boxes. The files of the formats only print it. */
 #ifndef DMI_MESH_EXPORT_RIG_MODEL_H
 #define DMI_MESH_EXPORT_RIG_MODEL_H
 
@@ -45,18 +45,18 @@ typedef enum dmi_rig_kind {
 /* At rest all bodies have the axes of the asset. A joint's line goes through the origin of its body. */
 typedef struct dmi_rig_body {
     char name[DMI_RIG_NAME], joint_name[DMI_RIG_NAME];
-    const char* original;   /* the asset's own name; "": none */
-    uint32_t part, parent;  /* part: DM_ASSET_NO_PART of the root; parent: a body before this one */
+    const char* original;  /* the asset's own name; "": none */
+    uint32_t part, parent; /* part: DM_ASSET_NO_PART of the root; parent: a body before this one */
     dmi_rig_kind kind;
-    double origin[3];       /* asset frame */
-    double place[3];        /* frame of the parent */
-    double axis[3];         /* unit */
+    double origin[3];            /* asset frame */
+    double place[3];             /* frame of the parent */
+    double axis[3];              /* unit */
     bool limited, is_range_made; /* is_range_made: its limits are none of the asset's */
-    double lower, upper;    /* rad; m of a slide */
-    double pitch;           /* m a radian, of a screw */
-    double damping, friction; /* N m s and N m; N s/m and N of a slide */
-    double mass, centre[3]; /* kg; m, in the body's frame */
-    double inertia[3][3];   /* kg m², about the centre of mass */
+    double lower, upper;         /* rad; m of a slide */
+    double pitch;                /* m a radian, of a screw */
+    double damping, friction;    /* N m s and N m; N s/m and N of a slide */
+    double mass, centre[3];      /* kg; m, in the body's frame */
+    double inertia[3][3];        /* kg m², about the centre of mass */
     uint32_t first_shape, shape_count, first_box, box_count;
 } dmi_rig_body;
 
@@ -73,7 +73,7 @@ typedef struct dmi_rig_model {
     dmi_rig_values values;
     char name[DMI_RIG_NAME];
     const char* original;
-    double size; /* m, largest side of the box of all shapes */
+    double size;          /* m, largest side of the box of all shapes */
     dmi_rig_body* bodies; /* the root first, parents before what they carry */
     dmi_rig_mesh* meshes;
     dmi_rig_shape* shapes; /* by body */

@@ -33,8 +33,8 @@ static bool mirrors(const dmi_rig_model* model, const float m[TRANSFORM]) {
     for (int c = 0; c < 3; c++)
         for (int k = 0; k < 3; k++) columns[c][k] = (double)m[COLUMN * c + k];
     const double *a = columns[0], *b = columns[1], *c = columns[2];
-    const double determinant = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-                               a[2] * (b[0] * c[1] - b[1] * c[0]);
+    const double determinant =
+        a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
     return (determinant < 0) != (model->axes.handedness < 0);
 }
 

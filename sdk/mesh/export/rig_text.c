@@ -78,8 +78,8 @@ dmi_digits_text dmi_digits_of_float(float x) {
 
 dmi_digits3_text dmi_digits3(const double v[3], const char* between) {
     dmi_digits3_text out;
-    snprintf(out.text, sizeof out.text, "%s%.2s%s%.2s%s", dmi_digits(v[0]).text, between, dmi_digits(v[1]).text, between,
-             dmi_digits(v[2]).text);
+    snprintf(out.text, sizeof out.text, "%s%.2s%s%.2s%s", dmi_digits(v[0]).text, between, dmi_digits(v[1]).text,
+             between, dmi_digits(v[2]).text);
     return out;
 }
 
@@ -88,11 +88,20 @@ dmi_digits3_text dmi_digits3(const double v[3], const char* between) {
 void dmi_text_put_xml(dmi_text* text, const char* words) {
     for (; *words; words++) {
         switch (*words) {
-        case '&': dmi_text_add(text, "&amp;", 5); break;
-        case '<': dmi_text_add(text, "&lt;", 4); break;
-        case '>': dmi_text_add(text, "&gt;", 4); break;
-        case '"': dmi_text_add(text, "&quot;", 6); break;
-        default: dmi_text_add(text, (unsigned char)*words < ' ' ? "?" : words, 1);
+        case '&':
+            dmi_text_add(text, "&amp;", 5);
+            break;
+        case '<':
+            dmi_text_add(text, "&lt;", 4);
+            break;
+        case '>':
+            dmi_text_add(text, "&gt;", 4);
+            break;
+        case '"':
+            dmi_text_add(text, "&quot;", 6);
+            break;
+        default:
+            dmi_text_add(text, (unsigned char)*words < ' ' ? "?" : words, 1);
         }
     }
 }

@@ -31,7 +31,8 @@ dmi_digits_text dmi_digits_of_float(float x); /* 9 digits, which give the float 
 /* between: 2 bytes at most. */
 dmi_digits3_text dmi_digits3(const double v[3], const char* between);
 
-/* Adds any text as the content of an attribute in quotes or of an element. Characters that XML can't hold become '?'. */
+/* Adds any text as the content of an attribute in quotes or of an element. Characters that XML can't hold become '?'.
+ */
 void dmi_text_put_xml(dmi_text* text, const char* words);
 /* The same within "…" of USD and Godot, whose escapes are C's. */
 void dmi_text_put_quoted(dmi_text* text, const char* words);

@@ -1,7 +1,7 @@
-/* check_mujoco FILE.glb FOLDER [FILE.glb FOLDER …] — loads rigged.urdf and rigged.xml of each folder in MuJoCo, drives each
- * joint through its range, and compares where all corners of all triangles are with what rig.json says. Steps rigged.xml
- * 1,000 frames. Prints a line an asset, and exits with 1 where one did not load, is off by more than 1e-4 of its size, or
- * flies off. */
+/* check_mujoco FILE.glb FOLDER [FILE.glb FOLDER …] — loads rigged.urdf and rigged.xml of each folder in MuJoCo, drives
+ * each joint through its range, and compares where all corners of all triangles are with what rig.json says. Steps
+ * rigged.xml 1,000 frames. Prints a line an asset, and exits with 1 where one did not load, is off by more than 1e-4 of
+ * its size, or flies off. */
 #include <mujoco/mujoco.h>
 
 #include "rigged_asset.h"
@@ -32,8 +32,8 @@ static void set_values(const rigged_asset* asset, const mjModel* m, mjData* d, c
 }
 
 /* How far the corners of a mesh of the model are from those of the part, from corner `from` on; sizes of the asset. */
-static double compare_geom(const rigged_asset* asset, const mjModel* m, const mjData* d, int geom, int part, size_t from,
-                           const double* values) {
+static double compare_geom(const rigged_asset* asset, const mjModel* m, const mjData* d, int geom, int part,
+                           size_t from, const double* values) {
     const int mesh = m->geom_dataid[geom];
     double worst = 0;
     for (int i = 0; i < 3 * m->mesh_facenum[mesh]; i++) {
@@ -138,9 +138,10 @@ int main(int argc, char** argv) {
         }
         const outcome urdf = check(&asset, argv[i + 1], "rigged.urdf", false);
         const outcome mjcf = check(&asset, argv[i + 1], "rigged.xml", true);
-        printf("%s: %d joints, off by %.2g and %.2g of the size; %d screws that URDF has not, %d meshes not compared%s\n",
-               argv[i + 1], mjcf.joints, urdf.worst, mjcf.worst, urdf.screws_left_out, urdf.uncompared + mjcf.uncompared,
-               urdf.failed || mjcf.failed ? ": FAILED" : "");
+        printf(
+            "%s: %d joints, off by %.2g and %.2g of the size; %d screws that URDF has not, %d meshes not compared%s\n",
+            argv[i + 1], mjcf.joints, urdf.worst, mjcf.worst, urdf.screws_left_out, urdf.uncompared + mjcf.uncompared,
+            urdf.failed || mjcf.failed ? ": FAILED" : "");
         failed += urdf.failed || mjcf.failed;
         joints += mjcf.joints;
         worst = fmax(worst, fmax(urdf.worst, mjcf.worst));

@@ -1,5 +1,5 @@
-/* A rigged asset as its rig.json states it, for programs that compare what consumers load with it: where every corner of
- * every part's triangles is, at any values of the joints. Z up, metres, as the files for simulators have it. */
+/* A rigged asset as its rig.json states it, for programs that compare what consumers load with it: where every corner
+ * of every part's triangles is, at any values of the joints. Z up, metres, as the files for simulators have it. */
 #ifndef TESTS_EXPORTS_RIGGED_ASSET_H
 #define TESTS_EXPORTS_RIGGED_ASSET_H
 
@@ -171,7 +171,8 @@ static inline void rigged_move(const rigged_part* part, double value, double p[3
 }
 
 /* Writes where a corner of a part is at the joints' values. */
-static inline void rigged_corner(const rigged_asset* asset, int part, size_t corner, const double* values, double out[3]) {
+static inline void rigged_corner(const rigged_asset* asset, int part, size_t corner, const double* values,
+                                 double out[3]) {
     memcpy(out, asset->parts[part].corners[corner], 3 * sizeof *out);
     for (int p = part == asset->count ? -1 : part; p >= 0; p = asset->parts[p].parent)
         if (asset->parts[p].moves) rigged_move(&asset->parts[p], values[p], out);

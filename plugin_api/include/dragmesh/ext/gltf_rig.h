@@ -12,20 +12,30 @@ extern "C" {
 
 /* Formats, as bits. docs/exports.md says which consumers read them and what each one cannot hold. */
 enum {
-    DM_GLTF_RIG_URDF = 1, /* rigged.urdf: ROS, Gazebo, MuJoCo, Bullet */
-    DM_GLTF_RIG_MJCF = 2  /* rigged.xml: MuJoCo */
+    DM_GLTF_RIG_URDF = 1,  /* rigged.urdf: ROS, Gazebo, MuJoCo, Bullet */
+    DM_GLTF_RIG_MJCF = 2,  /* rigged.xml: MuJoCo */
+    DM_GLTF_RIG_SDF = 4,   /* rigged.sdf, of SDF 1.7: Gazebo */
+    DM_GLTF_RIG_USDA = 8,  /* rigged.usda, with UsdPhysics: Isaac Sim, Omniverse; all in one file */
+    DM_GLTF_RIG_TSCN = 16, /* rigged.tscn: Godot 4 */
+    DM_GLTF_RIG_GLB = 32   /* rigged.glb: `scene` with KHR_physics_rigid_bodies, KHR_implicit_shapes,
+                              KHR_node_selectability, and the joints in `extras` as dm_gltf_get_asset reads them */
 };
 
 /* What dm_asset_create was given and what it has answered. Everything is borrowed for the call. */
 typedef struct dm_gltf_rig_desc {
     uint32_t struct_size;
-    uint32_t formats;           /* DM_GLTF_RIG_* */
-    const dm_asset_node* nodes; /* as dm_asset_create took them */
-    const dm_asset_part* parts; /* all that dm_asset_get_part answers; NULL: none */
-    const dm_joint* joints;     /* all that dm_asset_get_joint answers, one a part */
-    const uint32_t* node_parts; /* what dm_asset_get_node_parts answers */
-    const float* colours;       /* red, green, blue, opacity of each node, linear; NULL: white */
-    const char* name;           /* of the asset, UTF-8; NULL: "asset" */
+    uint32_t formats;              /* DM_GLTF_RIG_* */
+    const dm_asset_node* nodes;    /* as dm_asset_create took them */
+    const dm_asset_part* parts;    /* all that dm_asset_get_part answers; NULL: none */
+    const dm_joint* joints;        /* all that dm_asset_get_joint answers, one a part */
+    const uint32_t* node_parts;    /* what dm_asset_get_node_parts answers */
+    const float* colours;          /* red, green, blue, opacity of each node, linear; NULL: white */
+    const char* name;              /* of the asset, UTF-8; NULL: "asset" */
+    const char* const* part_names; /* UTF-8, of each part; NULL: that of its first node that has one */
+    const void* scene; /* DM_GLTF_RIG_GLB: what dm_gltf_export has written of the file with a track a part that moves;
+                          that of parts[i] is called part_(i + 1), with or without '_' and more behind it */
+    size_t scene_size;
+    double origin[3]; /* DM_GLTF_RIG_GLB: dm_gltf_get_origin */
     uint32_t node_count, part_count;
     int32_t axes;           /* of the asset frame: DM_AXES_*, but for DM_AXES_CUSTOM */
     float unit_in_metres;   /* length of one unit of the asset; 0 = 1 */
