@@ -424,8 +424,16 @@ end
 if cross then return end
 
 -- What simulators load of rigged assets, compared with ours (tests/e2e/exports.sh).
+local exports = "tests/e2e/exports/"
 if installed "mujoco/mujoco.h" then
-    program("check_mujoco", { "tests/e2e/exports/check_mujoco.c" }, everything, { "mujoco", "dragmesh_gltf", "cjson", "m" }, "/tests")
+    program("check_mujoco", { exports .. "check_mujoco.c", exports .. "rigged_asset.c" }, everything,
+        { "mujoco", "dragmesh_gltf", "cjson", "m" }, "/tests")
+end
+if installed "sdformat-12.3/sdf/sdf.hh" then
+    program("check_sdf", { exports .. "check_sdf.cpp", exports .. "rigged_asset.c" }, everything,
+        { "sdformat12", "ignition-math6", "dragmesh_gltf", "cjson", "m" }, "/tests")
+        language "C++"
+        externalincludedirs { "/usr/include/sdformat-12.3", "/usr/include/ignition/math6", "/usr/include/ignition/utils1" }
 end
 
 -- A main for fuzz targets; an archive, so that libFuzzer's comes before it where that is linked.

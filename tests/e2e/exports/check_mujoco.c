@@ -2,7 +2,11 @@
  * each joint through its range, and compares where all corners of all triangles are with what rig.json says. Steps
  * rigged.xml 1,000 frames. Prints a line an asset, and exits with 1 where one did not load, is off by more than 1e-4 of
  * its size, or flies off. */
+#include <math.h>
 #include <mujoco/mujoco.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "rigged_asset.h"
 
