@@ -85,8 +85,18 @@ dmi_digits3_text dmi_digits3(const double v[3], const char* between) {
 
 /* ---- words ---- */
 
+/* Whether U+FFFE or U+FFFF begins here. */
+static bool is_no_character(const char* words) {
+    return strncmp(words, "\xef\xbf\xbe", 3) == 0 || strncmp(words, "\xef\xbf\xbf", 3) == 0;
+}
+
 void dmi_text_put_xml(dmi_text* text, const char* words) {
     for (; *words; words++) {
+        if (is_no_character(words)) {
+            dmi_text_add(text, "?", 1);
+            words += 2;
+            continue;
+        }
         switch (*words) {
         case '&':
             dmi_text_add(text, "&amp;", 5);
