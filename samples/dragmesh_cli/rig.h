@@ -55,9 +55,6 @@ dm_result rig_pose(const rig* rig, float share, dm_pose* out_poses);
 /* Returns the id of the part that moves each face of the session's mesh; 0: it stays. To be freed. */
 uint32_t* rig_face_parts(const session* session, const rig* rig);
 
-/* Makes the file with an animation that opens and closes all parts, of which at least one moves. To be released with
- * dm_gltf_release_bytes. */
-dm_result rig_make_scene(session* session, const rig* rig, void** out_data, size_t* out_size);
 /* Reads a list of formats, "glb,urdf". Returns their bits; 0, and the name that is none: one is unknown. */
 uint32_t rig_read_formats(const char* list, char* out_unknown, size_t size);
 /* Writes the list for bits. */

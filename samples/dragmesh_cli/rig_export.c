@@ -41,18 +41,6 @@ void rig_format_names(uint32_t asked, char* out, size_t size) {
             length += (size_t)snprintf(out + length, size - length, "%s%s", length > 0 ? "," : "", formats[i].name);
 }
 
-/* The colours of the nodes; those behind the file's own have none of their own. */
-static float* read_colours(const session* session, const rig* rig) {
-    enum { CHANNELS = 4 };
-    float* out = cli_alloc((size_t)rig->node_count * CHANNELS * sizeof *out);
-    for (uint32_t i = 0; i < rig->node_count; i++) {
-        dm_gltf_node node = {.colour = {1, 1, 1, 1}};
-        if (i < dm_gltf_node_count(session->gltf)) dm_gltf_get_node(session->gltf, i, &node);
-        memcpy(out + (size_t)CHANNELS * i, node.colour, sizeof node.colour);
-    }
-    return out;
-}
-
 /* The folder of the meshes is made where there are some. */
 static dm_result write_file(session* session, const dm_gltf_rig_file* file, const char* folder) {
     const char* slash = strchr(file->path, '/');
@@ -78,51 +66,35 @@ static dm_result write_files(session* session, const dm_gltf_rig* files, const c
     return result;
 }
 
-static dm_result make_files(session* session, const rig* rig, dm_gltf_rig_desc* desc, const char* folder) {
-    void* scene = NULL;
-    size_t size = 0;
-    dm_gltf_rig* files = NULL;
-    dm_result result = DM_OK;
-    if (desc->formats & DM_GLTF_RIG_GLB) result = rig_make_scene(session, rig, &scene, &size);
-    desc->scene = scene;
-    desc->scene_size = size;
-    if (result == DM_OK) result = dm_gltf_rig_make(desc, &files);
-    if (result == DM_OK) result = write_files(session, files, folder);
-    dm_gltf_rig_free(files);
-    dm_gltf_release_bytes(session->gltf, scene, size);
-    return result;
-}
-
 dm_result rig_write_formats(session* session, const rig* rig, uint32_t asked, const char* folder) {
     char name[DM_MAX_LABEL + 1];
     const uint32_t count = rig->info.part_count;
     dm_asset_part* parts = cli_alloc(count * sizeof *parts);
     dm_joint* joints = cli_alloc(count * sizeof *joints);
     uint32_t* node_parts = cli_alloc(rig->node_count * sizeof *node_parts);
-    float* colours = read_colours(session, rig);
     part_hints_file_stem(session->path, name, sizeof name);
     for (uint32_t i = 0; i < count; i++) {
         parts[i] = rig->parts[i].part;
         joints[i] = rig->parts[i].joint;
     }
-    if (rig->info.moving_count == 0) asked &= ~(uint32_t)DM_GLTF_RIG_GLB;
-    dm_gltf_rig_desc desc = {.struct_size = sizeof desc,
-                             .formats = asked,
-                             .nodes = rig->nodes,
-                             .parts = parts,
-                             .joints = joints,
-                             .node_parts = node_parts,
-                             .colours = colours,
-                             .name = name,
-                             .node_count = rig->node_count,
-                             .part_count = count,
-                             .origin = {session->origin[0], session->origin[1], session->origin[2]},
-                             .log = session_log(session)};
+    const dm_gltf_rig_desc desc = {.struct_size = sizeof desc,
+                                   .formats = asked,
+                                   .nodes = rig->nodes,
+                                   .parts = parts,
+                                   .joints = joints,
+                                   .node_parts = node_parts,
+                                   .name = name,
+                                   .gltf = session->gltf,
+                                   .node_count = rig->node_count,
+                                   .part_count = count,
+                                   .log = session_log(session)};
+    dm_gltf_rig* files = NULL;
     dm_result result = dm_asset_get_node_parts(session->context, rig->asset, node_parts, rig->node_count);
-    if (result == DM_OK && desc.formats != 0) result = make_files(session, rig, &desc, folder);
+    if (result == DM_OK) result = dm_gltf_rig_make(&desc, &files);
+    if (result == DM_OK) result = write_files(session, files, folder);
+    dm_gltf_rig_free(files);
     free(parts);
     free(joints);
     free(node_parts);
-    free(colours);
     return result;
 }

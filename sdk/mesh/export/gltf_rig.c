@@ -109,11 +109,10 @@ static dm_result check(dmi_env* env, const dm_gltf_rig_desc* desc) {
     if (!dmi_axes_init(&axes, desc->axes, NULL, desc->unit_in_metres))
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_rig_make: axes %d, unit_in_metres %g", desc->axes,
                         (double)desc->unit_in_metres);
-    if ((desc->formats & DM_GLTF_RIG_GLB) &&
-        (desc->scene == NULL || desc->scene_size == 0 || desc->axes != DM_AXES_GLTF))
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_rig_make: a GLB needs `scene`, and glTF's axes");
-    if (!isfinite(desc->origin[0] + desc->origin[1] + desc->origin[2]))
-        return dmi_fail(env, DM_ERROR_NOT_FINITE, "dm_gltf_rig_make: origin");
+    if ((desc->formats & DM_GLTF_RIG_GLB) && (desc->gltf == NULL || desc->axes != DM_AXES_GLTF))
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_rig_make: a GLB needs `gltf`, and glTF's axes");
+    if (desc->gltf != NULL && dm_gltf_node_count(desc->gltf) > desc->node_count)
+        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_rig_make: the nodes are not those of `gltf`");
     if (!isfinite(desc->density + desc->thickness + desc->friction + desc->damping_time))
         return dmi_fail(env, DM_ERROR_NOT_FINITE, "dm_gltf_rig_make: density, thickness, friction or damping_time");
     if (desc->density < 0 || desc->thickness < 0)
@@ -180,7 +179,7 @@ static dm_result fill(dm_gltf_rig* rig, const dm_gltf_rig_desc* desc) {
             warn(&rig->env, model.bodies[b].joint_name,
                  "it slides without limits: the asset's size either way stands for them");
     if (result == DM_OK) result = print_files(rig, &model, desc->formats);
-    if (result == DM_OK && (desc->formats & DM_GLTF_RIG_GLB)) result = write_glb(rig, &model);
+    if (result == DM_OK && (desc->formats & DM_GLTF_RIG_GLB) && model.body_count > 1) result = write_glb(rig, &model);
     dmi_rig_model_close(&model);
     return result;
 }

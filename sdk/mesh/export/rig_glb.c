@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mesh/export/rig_clips.h"
 #include "mesh/export/rig_formats.h"
 #include "mesh/gltf/gltf_edit.h"
 #include "mesh/gltf/gltf_joints.h"
@@ -30,6 +31,7 @@ typedef struct writer {
     dmi_edit edit;
     dmi_edit_item* tracks; /* of a body: its node; the root's is one that is added */
     cJSON *shapes, *joints;
+    double origin[3]; /* of the asset frame in the scene */
 } writer;
 
 /* Turns Z up and metres into Y up and units of the file. */
@@ -54,14 +56,10 @@ static double unit_of(const writer* w) {
 
 /* ---- nodes ---- */
 
-/* Finds the node of a body's track: the last one that is called after its part, since tracks come behind all others. */
+/* Finds the node of a body's track: the last one of its name, since tracks come behind all others. */
 static int32_t find_track(const writer* w, const dmi_rig_body* body) {
-    char start[DMI_RIG_NAME];
-    const size_t length = (size_t)snprintf(start, sizeof start, "part_%u", body->part + 1);
-    for (uint32_t i = w->scene->document.counts[DMI_GLTF_NODES]; i-- > 0;) {
-        const char* name = w->scene->tree[i].name;
-        if (strncmp(name, start, length) == 0 && (name[length] == 0 || name[length] == '_')) return (int32_t)i;
-    }
+    for (uint32_t i = w->scene->document.counts[DMI_GLTF_NODES]; i-- > 0;)
+        if (strcmp(w->scene->tree[i].name, body->name) == 0) return (int32_t)i;
     return -1;
 }
 
@@ -73,7 +71,7 @@ static dmi_edit_item add_node(writer* w, uint32_t body, const double place[3], c
     for (int k = 0; k < 3; k++) z_up[k] = b->origin[k] + place[k];
     put_y_up(z_up, unit_of(w), at);
     for (int k = 0; k < 3; k++) {
-        at[k] += w->model->desc->origin[k];
+        at[k] += w->origin[k];
         if (b->kind != DMI_RIG_ROOT) at[k] -= w->scene->tree[w->tracks[body].index].world[DMI_GLTF_ORIGIN + k];
     }
     dmi_edit_text(&w->edit, node.json, "name", name);
@@ -99,8 +97,7 @@ static void add_motion(writer* w, const dmi_rig_body* body, dmi_edit_item track)
     double z_up[3];
     for (int k = 0; k < 3; k++) z_up[k] = body->origin[k] + body->centre[k];
     put_y_up(z_up, unit, centre);
-    for (int k = 0; k < 3; k++)
-        centre[k] += w->model->desc->origin[k] - w->scene->tree[track.index].world[DMI_GLTF_ORIGIN + k];
+    for (int k = 0; k < 3; k++) centre[k] += w->origin[k] - w->scene->tree[track.index].world[DMI_GLTF_ORIGIN + k];
     dmi_edit_number(e, motion, "mass", body->mass);
     dmi_edit_numbers(e, motion, "centerOfMass", centre, 3);
     dmi_edit_numbers(e, motion, "inertiaDiagonal", moments, 3);
@@ -211,7 +208,7 @@ static void add_extras(writer* w, const dmi_rig_body* body, cJSON* node) {
     add_digits(e, extras, "type_confidence", dmi_digits_of_float(joint->type_confidence));
     add_digits(e, extras, "confidence", dmi_digits_of_float(joint->joint_confidence));
     add_vector(e, extras, "axis", joint->axis, none);
-    add_vector(e, extras, "origin", joint->origin, w->model->desc->origin);
+    add_vector(e, extras, "origin", joint->origin, w->origin);
     if (joint->type != DM_JOINT_CONTINUOUS) {
         add_digits(e, extras, "lower", dmi_digits_of_float(joint->lower));
         add_digits(e, extras, "upper", dmi_digits_of_float(joint->upper));
@@ -289,36 +286,45 @@ static dm_result find_tracks(writer* w) {
     for (uint32_t b = 1; b < w->model->body_count; b++) {
         const int32_t node = find_track(w, &w->model->bodies[b]);
         if (node < 0)
-            return dmi_fail(w->model->env, DM_ERROR_NOT_FOUND,
-                            "dm_gltf_rig_make: the scene has no node that is called part_%u or part_%u_…",
-                            w->model->bodies[b].part + 1, w->model->bodies[b].part + 1);
+            return dmi_fail(w->model->env, DM_ERROR_NOT_FOUND, "dm_gltf_rig_make: the GLB has lost %s",
+                            w->model->bodies[b].name);
         if (w->edit.problem.code == DM_OK)
             w->tracks[b] = (dmi_edit_item){w->edit.document.items[DMI_GLTF_NODES][node], node};
     }
     return DM_OK;
 }
 
-dm_result dmi_rig_write_glb(dmi_rig_model* model, void** out_data, size_t* out_size) {
-    const dm_gltf_rig_desc* desc = model->desc;
-    writer w = {.model = model};
-    const dm_gltf_desc from = {.struct_size = sizeof from,
-                               .data = desc->scene,
-                               .size = desc->scene_size,
-                               .allocator = desc->allocator,
-                               .log = {desc->log.user, NULL}};
-    w.tracks = dmi_rig_push(model, model->body_count, sizeof *w.tracks);
-    if (w.tracks == NULL) return DM_ERROR_OUT_OF_MEMORY;
-    memset(w.tracks, 0, model->body_count * sizeof *w.tracks);
-    dm_result result = dm_gltf_open(&from, &w.scene);
-    if (result != DM_OK) return dmi_fail(model->env, result, "dm_gltf_rig_make: the scene can't be read");
-    dmi_edit_open(&w.edit, model->env, w.scene);
-    result = find_tracks(&w);
+static dm_result write_scene(writer* w, const void* scene, size_t size, void** out_data, size_t* out_size) {
+    dmi_rig_model* model = (dmi_rig_model*)w->model;
+    const dm_allocator* allocator = &model->desc->allocator;
+    const dm_gltf_desc from = {.struct_size = sizeof from, .data = scene, .size = size, .allocator = *allocator};
+    w->tracks = dmi_rig_push(model, model->body_count, sizeof *w->tracks);
+    if (w->tracks == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    memset(w->tracks, 0, model->body_count * sizeof *w->tracks);
+    dm_result result = dm_gltf_open(&from, &w->scene);
+    if (result != DM_OK) return dmi_fail(model->env, result, "dm_gltf_rig_make: the GLB can't be read back");
+    dmi_edit_open(&w->edit, model->env, w->scene);
+    result = find_tracks(w);
     if (result == DM_OK) {
-        forget_physics(&w);
-        edit_scene(&w);
-        result = dmi_edit_write(&w.edit, out_data, out_size);
+        forget_physics(w);
+        edit_scene(w);
+        result = dmi_edit_write(&w->edit, out_data, out_size);
     }
-    dmi_edit_close(&w.edit);
-    dm_gltf_close(w.scene);
+    dmi_edit_close(&w->edit);
+    dm_gltf_close(w->scene);
+    return result;
+}
+
+dm_result dmi_rig_write_glb(dmi_rig_model* model, void** out_data, size_t* out_size) {
+    writer w = {.model = model};
+    dm_gltf_track* tracks;
+    void* scene = NULL;
+    size_t size = 0;
+    dm_gltf* gltf = model->desc->gltf;
+    dm_gltf_get_origin(gltf, w.origin);
+    dm_result result = dmi_rig_make_tracks(model, &tracks);
+    if (result == DM_OK) result = dm_gltf_export(gltf, tracks, model->body_count - 1, &scene, &size);
+    if (result == DM_OK) result = write_scene(&w, scene, size, out_data, out_size);
+    dm_gltf_release_bytes(gltf, scene, size);
     return result;
 }

@@ -4,7 +4,8 @@
 
 #include "mesh/export/rig_model.h"
 
-/* Writes desc->scene again with joints, masses and collision boxes, into memory of the model's host. */
+/* Writes the file of the model's nodes with an animation, joints, masses and collision boxes, into memory of the host.
+ * The root is not the only body. */
 dm_result dmi_rig_write_glb(dmi_rig_model* model, void** out_data, size_t* out_size);
 
 #endif

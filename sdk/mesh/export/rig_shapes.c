@@ -11,7 +11,7 @@
 
 /* Share of the asset's size by which points of alike meshes may differ: float rounding of positions; by hand. */
 static const double alike = 1e-6;
-enum { COLUMN = 4, TRANSFORM = 16 };
+enum { COLUMN = 4, TRANSFORM = 16, CHANNELS = 4 };
 
 static const float identity[TRANSFORM] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
@@ -109,6 +109,16 @@ static uint32_t keep_mesh(dmi_rig_model* model, uint32_t node, const dmi_rig_mes
     return index;
 }
 
+/* Writes the colour that the host, or its file, has for a node; else leaves white. */
+static void read_colour(const dm_gltf_rig_desc* desc, uint32_t node, float inout_colour[CHANNELS]) {
+    dm_gltf_node from;
+    if (desc->colours != NULL)
+        memcpy(inout_colour, desc->colours + (size_t)CHANNELS * node, CHANNELS * sizeof *inout_colour);
+    else if (desc->gltf != NULL && node < dm_gltf_node_count(desc->gltf) &&
+             dm_gltf_get_node(desc->gltf, node, &from) == DM_OK)
+        memcpy(inout_colour, from.colour, CHANNELS * sizeof *inout_colour);
+}
+
 /* Adds what nodes a body has. */
 static dm_result add_shapes(dmi_rig_model* model, uint32_t body, const uint32_t* part_bodies, double tolerance) {
     const dm_gltf_rig_desc* desc = model->desc;
@@ -122,7 +132,7 @@ static dm_result add_shapes(dmi_rig_model* model, uint32_t body, const uint32_t*
         const dm_result result = read_mesh(model, n, &mesh, shape.place);
         if (result != DM_OK) return result;
         if (mesh.face_count == 0) continue;
-        if (desc->colours != NULL) memcpy(shape.colour, desc->colours + (size_t)COLUMN * n, sizeof shape.colour);
+        read_colour(desc, n, shape.colour);
         const uint32_t before = model->mesh_count;
         shape.mesh = keep_mesh(model, n, &mesh, tolerance);
         if (model->mesh_count == before) dmi_arena_rewind(&model->arena, mark);

@@ -4,7 +4,7 @@
 #ifndef DRAGMESH_EXT_GLTF_RIG_H
 #define DRAGMESH_EXT_GLTF_RIG_H
 
-#include "dragmesh/dragmesh.h"
+#include "dragmesh/ext/gltf.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -17,8 +17,9 @@ enum {
     DM_GLTF_RIG_SDF = 4,   /* rigged.sdf, of SDF 1.7: Gazebo */
     DM_GLTF_RIG_USDA = 8,  /* rigged.usda, with UsdPhysics: Isaac Sim, Omniverse; all in one file */
     DM_GLTF_RIG_TSCN = 16, /* rigged.tscn: Godot 4 */
-    DM_GLTF_RIG_GLB = 32   /* rigged.glb: `scene` with KHR_physics_rigid_bodies, KHR_implicit_shapes,
-                              KHR_node_selectability, and the joints in `extras` as dm_gltf_get_asset reads them */
+    DM_GLTF_RIG_GLB = 32   /* rigged.glb: the file with an animation that opens and closes all parts, with
+                              KHR_physics_rigid_bodies, KHR_implicit_shapes and KHR_node_selectability, and the joints
+                              in `extras` as dm_gltf_get_asset reads them */
 };
 
 /* What dm_asset_create was given and what it has answered. Everything is borrowed for the call. */
@@ -32,10 +33,8 @@ typedef struct dm_gltf_rig_desc {
     const float* colours;          /* red, green, blue, opacity of each node, linear; NULL: white */
     const char* name;              /* of the asset, UTF-8; NULL: "asset" */
     const char* const* part_names; /* UTF-8, of each part; NULL: that of its first node that has one */
-    const void* scene; /* DM_GLTF_RIG_GLB: what dm_gltf_export has written of the file with a track a part that moves;
-                          that of parts[i] is called part_(i + 1), with or without '_' and more behind it */
-    size_t scene_size;
-    double origin[3]; /* DM_GLTF_RIG_GLB: dm_gltf_get_origin */
+    dm_gltf* gltf;                 /* the file whose dm_gltf_get_asset has made the nodes; NULL: there is none. A GLB
+                                      needs it. Where `colours` is NULL, nodes have those of the file */
     uint32_t node_count, part_count;
     int32_t axes;           /* of the asset frame: DM_AXES_*, but for DM_AXES_CUSTOM */
     float unit_in_metres;   /* length of one unit of the asset; 0 = 1 */
