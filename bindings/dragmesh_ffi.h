@@ -218,6 +218,14 @@ enum {
     DM_GLTF_WRAP_CLAMP = 33071,
     DM_GLTF_WRAP_MIRROR = 33648
 };
+enum {
+    DM_GLTF_RIG_URDF = 1,
+    DM_GLTF_RIG_MJCF = 2,
+    DM_GLTF_RIG_SDF = 4,
+    DM_GLTF_RIG_USDA = 8,
+    DM_GLTF_RIG_TSCN = 16,
+    DM_GLTF_RIG_GLB = 32
+};
 typedef struct dm_vec3 dm_vec3;
 typedef struct dm_pose dm_pose;
 typedef struct dm_ray dm_ray;
@@ -265,6 +273,8 @@ typedef struct dm_gltf_node dm_gltf_node;
 typedef struct dm_gltf_surface dm_gltf_surface;
 typedef struct dm_gltf_track dm_gltf_track;
 typedef struct dm_gltf_part dm_gltf_part;
+typedef struct dm_gltf_rig_desc dm_gltf_rig_desc;
+typedef struct dm_gltf_rig_file dm_gltf_rig_file;
 typedef int32_t dm_result;
 typedef struct dm_context dm_context;
 typedef uint64_t dm_model;
@@ -274,6 +284,7 @@ typedef uint64_t dm_drag;
 typedef uint64_t dm_scene;
 typedef uint64_t dm_asset;
 typedef struct dm_gltf dm_gltf;
+typedef struct dm_gltf_rig dm_gltf_rig;
 typedef void (*dm_task)(void* data, uint32_t index);
 typedef int32_t (*dm_progress_callback)(void* user, float done);
 typedef int32_t (*dm_intent_callback)(void* user, uint32_t part_id, dm_vec3 box_min, dm_vec3 box_max);
@@ -777,6 +788,33 @@ struct dm_gltf_part {
     uint64_t index_count;
     float colour[4];
 };
+struct dm_gltf_rig_desc {
+    uint32_t struct_size;
+    uint32_t formats;
+    const dm_asset_node* nodes;
+    const dm_asset_part* parts;
+    const dm_joint* joints;
+    const uint32_t* node_parts;
+    const float* colours;
+    const char* name;
+    const char** part_names;
+    dm_gltf* gltf;
+    uint32_t node_count;
+    uint32_t part_count;
+    int32_t axes;
+    float unit_in_metres;
+    float density;
+    float thickness;
+    float friction;
+    float damping_time;
+    dm_allocator allocator;
+    dm_log log;
+};
+struct dm_gltf_rig_file {
+    const char* path;
+    const void* data;
+    size_t size;
+};
 const char* dm_result_string(dm_result result);
 uint32_t dm_version(void);
 const void* dm_get_interface(const char* id);
@@ -861,5 +899,9 @@ dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint3
 void dm_gltf_release_bytes(const dm_gltf* gltf, void* data, size_t size);
 dm_result dm_gltf_write(const dm_gltf_part* parts, uint32_t part_count, const dm_allocator* allocator, const dm_log* log, void** out_data, size_t* out_size);
 size_t dm_gltf_mend_text(char* text);
+dm_result dm_gltf_rig_make(const dm_gltf_rig_desc* desc, dm_gltf_rig** out_rig);
+void dm_gltf_rig_destroy(dm_gltf_rig* rig);
+uint32_t dm_gltf_rig_file_count(const dm_gltf_rig* rig);
+dm_result dm_gltf_rig_get_file(const dm_gltf_rig* rig, uint32_t index, dm_gltf_rig_file* out_file);
 dm_result dm_drag_update_input(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt, dm_drag_state* out_state) __asm__("dm_drag_step");
 dm_result dm_drag_override(dm_context* context, dm_drag drag, float value, dm_drag_state* out_state) __asm__("dm_drag_take");

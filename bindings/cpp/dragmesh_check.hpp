@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "dragmesh/ext/gltf.h"
+#include "dragmesh/ext/gltf_rig.h"
 
 static_assert(DM_VERSION_MAJOR == 0, "DM_VERSION_MAJOR has another value");
 static_assert(DM_VERSION_MINOR == 3, "DM_VERSION_MINOR has another value");
@@ -161,6 +162,12 @@ static_assert(DM_RELEASE_AWAY_FROM == 2, "DM_RELEASE_AWAY_FROM has another value
 static_assert(DM_GLTF_WRAP_REPEAT == 10497, "DM_GLTF_WRAP_REPEAT has another value");
 static_assert(DM_GLTF_WRAP_CLAMP == 33071, "DM_GLTF_WRAP_CLAMP has another value");
 static_assert(DM_GLTF_WRAP_MIRROR == 33648, "DM_GLTF_WRAP_MIRROR has another value");
+static_assert(DM_GLTF_RIG_URDF == 1, "DM_GLTF_RIG_URDF has another value");
+static_assert(DM_GLTF_RIG_MJCF == 2, "DM_GLTF_RIG_MJCF has another value");
+static_assert(DM_GLTF_RIG_SDF == 4, "DM_GLTF_RIG_SDF has another value");
+static_assert(DM_GLTF_RIG_USDA == 8, "DM_GLTF_RIG_USDA has another value");
+static_assert(DM_GLTF_RIG_TSCN == 16, "DM_GLTF_RIG_TSCN has another value");
+static_assert(DM_GLTF_RIG_GLB == 32, "DM_GLTF_RIG_GLB has another value");
 static_assert(sizeof(void*) != 8 || sizeof(dm_vec3) == 12, "dm_vec3 has another size");
 static_assert(std::is_same<decltype(dm_vec3::x), float>::value && (sizeof(void*) != 8 || offsetof(dm_vec3, x) == 0), "dm_vec3.x is another field");
 static_assert(std::is_same<decltype(dm_vec3::y), float>::value && (sizeof(void*) != 8 || offsetof(dm_vec3, y) == 4), "dm_vec3.y is another field");
@@ -613,6 +620,31 @@ static_assert(std::is_same<decltype(dm_gltf_part::indices), const uint32_t *>::v
 static_assert(std::is_same<decltype(dm_gltf_part::vertex_count), uint64_t>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_part, vertex_count) == 24), "dm_gltf_part.vertex_count is another field");
 static_assert(std::is_same<decltype(dm_gltf_part::index_count), uint64_t>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_part, index_count) == 32), "dm_gltf_part.index_count is another field");
 static_assert(std::is_same<decltype(dm_gltf_part::colour), float[4]>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_part, colour) == 40), "dm_gltf_part.colour is another field");
+static_assert(sizeof(void*) != 8 || sizeof(dm_gltf_rig_desc) == 144, "dm_gltf_rig_desc has another size");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, struct_size) == 0), "dm_gltf_rig_desc.struct_size is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::formats), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, formats) == 4), "dm_gltf_rig_desc.formats is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::nodes), const dm_asset_node *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, nodes) == 8), "dm_gltf_rig_desc.nodes is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::parts), const dm_asset_part *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, parts) == 16), "dm_gltf_rig_desc.parts is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::joints), const dm_joint *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, joints) == 24), "dm_gltf_rig_desc.joints is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::node_parts), const uint32_t *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, node_parts) == 32), "dm_gltf_rig_desc.node_parts is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::colours), const float *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, colours) == 40), "dm_gltf_rig_desc.colours is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::name), const char *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, name) == 48), "dm_gltf_rig_desc.name is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::part_names), const char *const *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, part_names) == 56), "dm_gltf_rig_desc.part_names is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::gltf), dm_gltf *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, gltf) == 64), "dm_gltf_rig_desc.gltf is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::node_count), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, node_count) == 72), "dm_gltf_rig_desc.node_count is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::part_count), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, part_count) == 76), "dm_gltf_rig_desc.part_count is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::axes), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, axes) == 80), "dm_gltf_rig_desc.axes is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::unit_in_metres), float>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, unit_in_metres) == 84), "dm_gltf_rig_desc.unit_in_metres is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::density), float>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, density) == 88), "dm_gltf_rig_desc.density is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::thickness), float>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, thickness) == 92), "dm_gltf_rig_desc.thickness is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::friction), float>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, friction) == 96), "dm_gltf_rig_desc.friction is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::damping_time), float>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, damping_time) == 100), "dm_gltf_rig_desc.damping_time is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::allocator), dm_allocator>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, allocator) == 104), "dm_gltf_rig_desc.allocator is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_desc::log), dm_log>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_desc, log) == 128), "dm_gltf_rig_desc.log is another field");
+static_assert(sizeof(void*) != 8 || sizeof(dm_gltf_rig_file) == 24, "dm_gltf_rig_file has another size");
+static_assert(std::is_same<decltype(dm_gltf_rig_file::path), const char *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_file, path) == 0), "dm_gltf_rig_file.path is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_file::data), const void *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_file, data) == 8), "dm_gltf_rig_file.data is another field");
+static_assert(std::is_same<decltype(dm_gltf_rig_file::size), size_t>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_rig_file, size) == 16), "dm_gltf_rig_file.size is another field");
 static_assert(std::is_same<decltype(&dm_result_string), const char * (*)(dm_result)>::value, "dm_result_string is another function");
 static_assert(std::is_same<decltype(&dm_version), uint32_t (*)()>::value, "dm_version is another function");
 static_assert(std::is_same<decltype(&dm_get_interface), const void * (*)(const char *)>::value, "dm_get_interface is another function");
@@ -697,6 +729,10 @@ static_assert(std::is_same<decltype(&dm_gltf_export), dm_result (*)(const dm_glt
 static_assert(std::is_same<decltype(&dm_gltf_release_bytes), void (*)(const dm_gltf *, void *, size_t)>::value, "dm_gltf_release_bytes is another function");
 static_assert(std::is_same<decltype(&dm_gltf_write), dm_result (*)(const dm_gltf_part *, uint32_t, const dm_allocator *, const dm_log *, void **, size_t *)>::value, "dm_gltf_write is another function");
 static_assert(std::is_same<decltype(&dm_gltf_mend_text), size_t (*)(char *)>::value, "dm_gltf_mend_text is another function");
+static_assert(std::is_same<decltype(&dm_gltf_rig_make), dm_result (*)(const dm_gltf_rig_desc *, dm_gltf_rig **)>::value, "dm_gltf_rig_make is another function");
+static_assert(std::is_same<decltype(&dm_gltf_rig_destroy), void (*)(dm_gltf_rig *)>::value, "dm_gltf_rig_destroy is another function");
+static_assert(std::is_same<decltype(&dm_gltf_rig_file_count), uint32_t (*)(const dm_gltf_rig *)>::value, "dm_gltf_rig_file_count is another function");
+static_assert(std::is_same<decltype(&dm_gltf_rig_get_file), dm_result (*)(const dm_gltf_rig *, uint32_t, dm_gltf_rig_file *)>::value, "dm_gltf_rig_get_file is another function");
 static_assert(std::is_same<decltype(dm_drag_update_input), decltype(dm_drag_step)>::value, "dm_drag_update_input is another function");
 static_assert(std::is_same<decltype(dm_drag_override), decltype(dm_drag_take)>::value, "dm_drag_override is another function");
 

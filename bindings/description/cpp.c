@@ -41,7 +41,7 @@ char* cpp_write(const cJSON* api) {
     put(&w,
         "/* %s\n * Include it once in a program to have the compiler compare the headers at hand with those that the "
         "bindings describe. */\n#ifndef DRAGMESH_CHECK_HPP\n#define DRAGMESH_CHECK_HPP\n\n#include <cstddef>\n"
-        "#include <type_traits>\n\n#include \"dragmesh/ext/gltf.h\"\n\n",
+        "#include <type_traits>\n\n#include \"dragmesh/ext/gltf.h\"\n#include \"dragmesh/ext/gltf_rig.h\"\n\n",
         string_of(api, "about"));
     cJSON_ArrayForEach(constant, cJSON_GetObjectItem(api, "constants")) put_constant(&w, constant);
     cJSON_ArrayForEach(entry, cJSON_GetObjectItem(api, "enums"))

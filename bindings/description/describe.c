@@ -11,7 +11,7 @@
 #include "layout.h"
 #include "text.h"
 
-static const char* const headers[] = {"dragmesh/dragmesh.h", "dragmesh/ext/gltf.h"};
+static const char* const headers[] = {"dragmesh/dragmesh.h", "dragmesh/ext/gltf.h", "dragmesh/ext/gltf_rig.h"};
 enum { HEADERS = sizeof headers / sizeof *headers, PATH_ROOM = 4096 };
 
 static const char json_name[] = "dragmesh_api.json", ffi_name[] = "dragmesh_ffi.h";

@@ -92,7 +92,7 @@ dm_result rig_write_formats(session* session, const rig* rig, uint32_t asked, co
     dm_result result = dm_asset_get_node_parts(session->context, rig->asset, node_parts, rig->node_count);
     if (result == DM_OK) result = dm_gltf_rig_make(&desc, &files);
     if (result == DM_OK) result = write_files(session, files, folder);
-    dm_gltf_rig_free(files);
+    dm_gltf_rig_destroy(files);
     free(parts);
     free(joints);
     free(node_parts);

@@ -565,6 +565,35 @@ namespace DragMesh
               Expect("dm_gltf_part.index_count", (byte*)&s.IndexCount - at, 32, 24);
               Expect("dm_gltf_part.colour", (byte*)s.Colour - at, 40, 32);
             }
+            { GltfRigDesc s; byte* at = (byte*)&s;
+              Expect("dm_gltf_rig_desc", sizeof(GltfRigDesc), 144, 92);
+              Expect("dm_gltf_rig_desc.struct_size", (byte*)&s.StructSize - at, 0, 0);
+              Expect("dm_gltf_rig_desc.formats", (byte*)&s.Formats - at, 4, 4);
+              Expect("dm_gltf_rig_desc.nodes", (byte*)&s.Nodes - at, 8, 8);
+              Expect("dm_gltf_rig_desc.parts", (byte*)&s.Parts - at, 16, 12);
+              Expect("dm_gltf_rig_desc.joints", (byte*)&s.Joints - at, 24, 16);
+              Expect("dm_gltf_rig_desc.node_parts", (byte*)&s.NodeParts - at, 32, 20);
+              Expect("dm_gltf_rig_desc.colours", (byte*)&s.Colours - at, 40, 24);
+              Expect("dm_gltf_rig_desc.name", (byte*)&s.Name - at, 48, 28);
+              Expect("dm_gltf_rig_desc.part_names", (byte*)&s.PartNames - at, 56, 32);
+              Expect("dm_gltf_rig_desc.gltf", (byte*)&s.Gltf - at, 64, 36);
+              Expect("dm_gltf_rig_desc.node_count", (byte*)&s.NodeCount - at, 72, 40);
+              Expect("dm_gltf_rig_desc.part_count", (byte*)&s.PartCount - at, 76, 44);
+              Expect("dm_gltf_rig_desc.axes", (byte*)&s.Axes - at, 80, 48);
+              Expect("dm_gltf_rig_desc.unit_in_metres", (byte*)&s.UnitInMetres - at, 84, 52);
+              Expect("dm_gltf_rig_desc.density", (byte*)&s.Density - at, 88, 56);
+              Expect("dm_gltf_rig_desc.thickness", (byte*)&s.Thickness - at, 92, 60);
+              Expect("dm_gltf_rig_desc.friction", (byte*)&s.Friction - at, 96, 64);
+              Expect("dm_gltf_rig_desc.damping_time", (byte*)&s.DampingTime - at, 100, 68);
+              Expect("dm_gltf_rig_desc.allocator", (byte*)&s.Allocator - at, 104, 72);
+              Expect("dm_gltf_rig_desc.log", (byte*)&s.Log - at, 128, 84);
+            }
+            { GltfRigFile s; byte* at = (byte*)&s;
+              Expect("dm_gltf_rig_file", sizeof(GltfRigFile), 24, 12);
+              Expect("dm_gltf_rig_file.path", (byte*)&s.Path - at, 0, 0);
+              Expect("dm_gltf_rig_file.data", (byte*)&s.Data - at, 8, 4);
+              Expect("dm_gltf_rig_file.size", (byte*)&s.Size - at, 16, 8);
+            }
             return compared;
         }
     }

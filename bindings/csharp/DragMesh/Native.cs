@@ -289,6 +289,18 @@ namespace DragMesh
         public const int DM_GLTF_WRAP_CLAMP = 33071;
         /// <summary>How a texture goes on beyond its edges: OpenGL's numbers.</summary>
         public const int DM_GLTF_WRAP_MIRROR = 33648;
+        /// <summary>rigged.urdf: ROS, Gazebo, MuJoCo, Bullet</summary>
+        public const int DM_GLTF_RIG_URDF = 1;
+        /// <summary>rigged.xml: MuJoCo</summary>
+        public const int DM_GLTF_RIG_MJCF = 2;
+        /// <summary>rigged.sdf, of SDF 1.7: Gazebo</summary>
+        public const int DM_GLTF_RIG_SDF = 4;
+        /// <summary>rigged.usda, with UsdPhysics: Isaac Sim, Omniverse; all in one file</summary>
+        public const int DM_GLTF_RIG_USDA = 8;
+        /// <summary>rigged.tscn: Godot 4</summary>
+        public const int DM_GLTF_RIG_TSCN = 16;
+        /// <summary>rigged.glb: the file with an animation that opens and closes all parts, with KHR_physics_rigid_bodies, KHR_implicit_shapes and KHR_node_selectability, and the joints in `extras` as dm_gltf_get_asset reads them</summary>
+        public const int DM_GLTF_RIG_GLB = 32;
     }
 
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -1510,6 +1522,62 @@ namespace DragMesh
         public fixed float Colour[4];
     }
 
+    /// <summary>What dm_asset_create was given and what it has answered. Everything is borrowed for the call.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct GltfRigDesc
+    {
+        public uint StructSize;
+        /// <summary>DM_GLTF_RIG_*</summary>
+        public uint Formats;
+        /// <summary>as dm_asset_create took them</summary>
+        public AssetNode* Nodes;
+        /// <summary>all that dm_asset_get_part answers; NULL: none</summary>
+        public AssetPart* Parts;
+        /// <summary>all that dm_asset_get_joint answers, one a part</summary>
+        public Joint* Joints;
+        /// <summary>what dm_asset_get_node_parts answers</summary>
+        public uint* NodeParts;
+        /// <summary>red, green, blue, opacity of each node, linear; NULL: white</summary>
+        public float* Colours;
+        /// <summary>of the asset, UTF-8; NULL: "asset"</summary>
+        public byte* Name;
+        /// <summary>UTF-8, of each part; NULL: that of its first node that has one</summary>
+        public byte** PartNames;
+        /// <summary>the file whose dm_gltf_get_asset has made the nodes; NULL: there is none. A GLB needs it. Where `colours` is NULL, nodes have those of the file</summary>
+        public IntPtr Gltf;
+        public uint NodeCount;
+        public uint PartCount;
+        /// <summary>of the asset frame: DM_AXES_*, but for DM_AXES_CUSTOM</summary>
+        public int Axes;
+        /// <summary>length of one unit of the asset; 0 = 1</summary>
+        public float UnitInMetres;
+        /// <summary>kg/m³ of closed pieces; 0 = 600, wood</summary>
+        public float Density;
+        /// <summary>m, of pieces that are open surfaces; 0 = 0.003</summary>
+        public float Thickness;
+        /// <summary>share of a part's weight that holds it back; 0 = 0.1; negative: none</summary>
+        public float Friction;
+        /// <summary>s in which a part that nothing drives loses 63 % of its speed; 0 = 0.5; negative: no damping</summary>
+        public float DampingTime;
+        /// <summary>zeros = malloc/free</summary>
+        public Allocator Allocator;
+        /// <summary>zeros = silent; warns of what a format can't hold</summary>
+        public Log Log;
+
+        /// <summary>Zeros, with StructSize set.</summary>
+        public static GltfRigDesc New() => new GltfRigDesc { StructSize = (uint)sizeof(GltfRigDesc) };
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct GltfRigFile
+    {
+        /// <summary>below the folder of the rig: letters, digits, '_', '.', and '/' between folders</summary>
+        public byte* Path;
+        /// <summary>lives as long as the dm_gltf_rig</summary>
+        public void* Data;
+        public UIntPtr Size;
+    }
+
     /// <summary>The functions of the C header.</summary>
     public static unsafe class Native
     {
@@ -1849,6 +1917,22 @@ namespace DragMesh
         /// <summary>Makes any text valid UTF-8, in place: a '?' for each piece that is no character, also for one that was cut off. Names and messages of this library are so already; hosts need it for what they write beside them. Returns the new length, never a longer one. NULL: 0.</summary>
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern UIntPtr dm_gltf_mend_text(byte* text);
+
+        /// <summary>Makes the files of all formats asked for, meshes that they share included, in memory. Parts that move are bodies, in metres and Z up, hung on what carries them; parts that stay, and fixed ones, are one with it. Bodies are called part_N_NAME, N the part's index + 1 and NAME what is legal of its first node's name; the body that stays is "body". Errors: those of the meshes, NOT_FINITE, INVALID_ARGUMENT (no format, parents in a circle), INDEX_OUT_OF_RANGE, DEGENERATE_MESH (no triangle), OUT_OF_MEMORY, STRUCT_SIZE.</summary>
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_gltf_rig_make(GltfRigDesc* desc, IntPtr* out_rig);
+
+        /// <summary>Frees the files. NULL does nothing.</summary>
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern void dm_gltf_rig_destroy(IntPtr rig);
+
+        /// <summary>How many files there are. NULL: 0.</summary>
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern uint dm_gltf_rig_file_count(IntPtr rig);
+
+        /// <summary>Meshes come before the files that refer to them. Errors: INVALID_ARGUMENT, NOT_FOUND.</summary>
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_gltf_rig_get_file(IntPtr rig, uint index, GltfRigFile* out_file);
 
         /// <summary>dm_drag_update for all that a dm_drag_input holds. A released part needs no hand. Errors: INVALID_ARGUMENT, also for handles, bounds and DM_INPUT_LOCKED of a drag without dm_drag_desc.rules. [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, EntryPoint = "dm_drag_step")]

@@ -159,6 +159,12 @@ DM_RELEASE_AWAY_FROM = 2
 DM_GLTF_WRAP_REPEAT = 10497
 DM_GLTF_WRAP_CLAMP = 33071
 DM_GLTF_WRAP_MIRROR = 33648
+DM_GLTF_RIG_URDF = 1
+DM_GLTF_RIG_MJCF = 2
+DM_GLTF_RIG_SDF = 4
+DM_GLTF_RIG_USDA = 8
+DM_GLTF_RIG_TSCN = 16
+DM_GLTF_RIG_GLB = 32
 
 
 class Vec3(Struct):
@@ -1262,6 +1268,64 @@ class GltfPart(Struct):
     ]
 
 
+class GltfRigDesc(Sized):
+    """What dm_asset_create was given and what it has answered. Everything is borrowed for the call."""
+
+    struct_size: int
+    formats: int
+    nodes: Any
+    parts: Any
+    joints: Any
+    node_parts: Any
+    colours: Any
+    name: Any
+    part_names: Any
+    gltf: Any
+    node_count: int
+    part_count: int
+    axes: int
+    unit_in_metres: float
+    density: float
+    thickness: float
+    friction: float
+    damping_time: float
+    allocator: Allocator
+    log: Log
+    _fields_ = [
+        ("struct_size", c.c_uint32),
+        ("formats", c.c_uint32),
+        ("nodes", c.POINTER(AssetNode)),
+        ("parts", c.POINTER(AssetPart)),
+        ("joints", c.POINTER(Joint)),
+        ("node_parts", c.POINTER(c.c_uint32)),
+        ("colours", c.POINTER(c.c_float)),
+        ("name", c.c_char_p),
+        ("part_names", c.POINTER(c.c_char_p)),
+        ("gltf", c.c_void_p),
+        ("node_count", c.c_uint32),
+        ("part_count", c.c_uint32),
+        ("axes", c.c_int32),
+        ("unit_in_metres", c.c_float),
+        ("density", c.c_float),
+        ("thickness", c.c_float),
+        ("friction", c.c_float),
+        ("damping_time", c.c_float),
+        ("allocator", Allocator),
+        ("log", Log),
+    ]
+
+
+class GltfRigFile(Struct):
+    path: Any
+    data: Any
+    size: int
+    _fields_ = [
+        ("path", c.c_char_p),
+        ("data", c.c_void_p),
+        ("size", c.c_size_t),
+    ]
+
+
 FUNCTIONS = {  # name: (result, arguments)
     "dm_result_string": (c.c_char_p, [c.c_int32]),
     "dm_version": (c.c_uint32, []),
@@ -1350,6 +1414,10 @@ GLTF_FUNCTIONS = {  # name: (result, arguments)
     "dm_gltf_release_bytes": (None, [c.c_void_p, c.c_void_p, c.c_size_t]),
     "dm_gltf_write": (c.c_int32, [c.POINTER(GltfPart), c.c_uint32, c.POINTER(Allocator), c.POINTER(Log), c.POINTER(c.c_void_p), c.POINTER(c.c_size_t)]),
     "dm_gltf_mend_text": (c.c_size_t, [c.c_char_p]),
+    "dm_gltf_rig_make": (c.c_int32, [c.POINTER(GltfRigDesc), c.POINTER(c.c_void_p)]),
+    "dm_gltf_rig_destroy": (None, [c.c_void_p]),
+    "dm_gltf_rig_file_count": (c.c_uint32, [c.c_void_p]),
+    "dm_gltf_rig_get_file": (c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(GltfRigFile)]),
 }
 
 ALIASES = {  # another name of a function
@@ -1405,4 +1473,6 @@ LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}
     GltfSurface: {8: (56, [0, 8, 16, 32, 40, 48, 52]), 4: (48, [0, 8, 16, 32, 36, 40, 44])},
     GltfTrack: {8: (48, [0, 8, 16, 17, 24, 32, 40, 44]), 4: (32, [0, 4, 8, 9, 16, 20, 24, 28])},
     GltfPart: {8: (56, [0, 8, 16, 24, 32, 40]), 4: (48, [0, 4, 8, 16, 24, 32])},
+    GltfRigDesc: {8: (144, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 76, 80, 84, 88, 92, 96, 100, 104, 128]), 4: (92, [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72, 84])},
+    GltfRigFile: {8: (24, [0, 8, 16]), 4: (12, [0, 4, 8])},
 }

@@ -201,11 +201,11 @@ dm_result dm_gltf_rig_make(const dm_gltf_rig_desc* desc, dm_gltf_rig** out_rig) 
     if (result == DM_OK)
         *out_rig = rig;
     else
-        dm_gltf_rig_free(rig);
+        dm_gltf_rig_destroy(rig);
     return result;
 }
 
-void dm_gltf_rig_free(dm_gltf_rig* rig) {
+void dm_gltf_rig_destroy(dm_gltf_rig* rig) {
     if (rig == NULL) return;
     dmi_env env;
     dmi_env_init(&env, &rig->env.allocator, NULL, NULL);

@@ -283,6 +283,18 @@ pub const DM_GLTF_WRAP_REPEAT: i32 = 10497;
 pub const DM_GLTF_WRAP_CLAMP: i32 = 33071;
 /// How a texture goes on beyond its edges: OpenGL's numbers.
 pub const DM_GLTF_WRAP_MIRROR: i32 = 33648;
+/// rigged.urdf: ROS, Gazebo, MuJoCo, Bullet
+pub const DM_GLTF_RIG_URDF: i32 = 1;
+/// rigged.xml: MuJoCo
+pub const DM_GLTF_RIG_MJCF: i32 = 2;
+/// rigged.sdf, of SDF 1.7: Gazebo
+pub const DM_GLTF_RIG_SDF: i32 = 4;
+/// rigged.usda, with UsdPhysics: Isaac Sim, Omniverse; all in one file
+pub const DM_GLTF_RIG_USDA: i32 = 8;
+/// rigged.tscn: Godot 4
+pub const DM_GLTF_RIG_TSCN: i32 = 16;
+/// rigged.glb: the file with an animation that opens and closes all parts, with KHR\_physics\_rigid\_bodies, KHR\_implicit\_shapes and KHR\_node\_selectability, and the joints in \`extras\` as dm\_gltf\_get\_asset reads them
+pub const DM_GLTF_RIG_GLB: i32 = 32;
 
 pub type dm_result = i32;
 #[repr(C)]
@@ -310,6 +322,10 @@ pub type dm_intent_callback = Option<unsafe extern "C" fn(user: *mut c_void, par
 pub type dm_choice_callback = Option<unsafe extern "C" fn(user: *mut c_void, choice: *const dm_choice) -> i32>;
 #[repr(C)]
 pub struct dm_gltf {
+    opaque: [u8; 0],
+}
+#[repr(C)]
+pub struct dm_gltf_rig {
     opaque: [u8; 0],
 }
 
@@ -1617,6 +1633,75 @@ impl Default for dm_gltf_part {
     }
 }
 
+/// What dm\_asset\_create was given and what it has answered. Everything is borrowed for the call.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dm_gltf_rig_desc {
+    pub struct_size: u32,
+    /// DM\_GLTF\_RIG\_\*
+    pub formats: u32,
+    /// as dm\_asset\_create took them
+    pub nodes: *const dm_asset_node,
+    /// all that dm\_asset\_get\_part answers; NULL: none
+    pub parts: *const dm_asset_part,
+    /// all that dm\_asset\_get\_joint answers, one a part
+    pub joints: *const dm_joint,
+    /// what dm\_asset\_get\_node\_parts answers
+    pub node_parts: *const u32,
+    /// red, green, blue, opacity of each node, linear; NULL: white
+    pub colours: *const f32,
+    /// of the asset, UTF-8; NULL: "asset"
+    pub name: *const c_char,
+    /// UTF-8, of each part; NULL: that of its first node that has one
+    pub part_names: *const *const c_char,
+    /// the file whose dm\_gltf\_get\_asset has made the nodes; NULL: there is none. A GLB needs it. Where \`colours\` is NULL, nodes have those of the file
+    pub gltf: *mut dm_gltf,
+    pub node_count: u32,
+    pub part_count: u32,
+    /// of the asset frame: DM\_AXES\_\*, but for DM\_AXES\_CUSTOM
+    pub axes: i32,
+    /// length of one unit of the asset; 0 = 1
+    pub unit_in_metres: f32,
+    /// kg/m³ of closed pieces; 0 = 600, wood
+    pub density: f32,
+    /// m, of pieces that are open surfaces; 0 = 0.003
+    pub thickness: f32,
+    /// share of a part's weight that holds it back; 0 = 0.1; negative: none
+    pub friction: f32,
+    /// s in which a part that nothing drives loses 63 % of its speed; 0 = 0.5; negative: no damping
+    pub damping_time: f32,
+    /// zeros = malloc/free
+    pub allocator: dm_allocator,
+    /// zeros = silent; warns of what a format can't hold
+    pub log: dm_log,
+}
+
+impl Default for dm_gltf_rig_desc {
+    /// Zeros, with struct\_size set.
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        value.struct_size = core::mem::size_of::<Self>() as u32;
+        value
+    }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dm_gltf_rig_file {
+    /// below the folder of the rig: letters, digits, '\_', '.', and '/' between folders
+    pub path: *const c_char,
+    /// lives as long as the dm\_gltf\_rig
+    pub data: *const c_void,
+    pub size: usize,
+}
+
+impl Default for dm_gltf_rig_file {
+    /// Zeros.
+    fn default() -> Self {
+        unsafe { core::mem::zeroed() }
+    }
+}
+
 #[link(name = "dragmesh")]
 extern "C" {
     /// NAME of a result, such as "DM\_ERROR\_EMPTY\_MASK"; "DM\_ERROR\_UNKNOWN" for others. Never NULL. \[any-thread\]
@@ -1791,6 +1876,14 @@ extern "C" {
     pub fn dm_gltf_write(parts: *const dm_gltf_part, part_count: u32, allocator: *const dm_allocator, log: *const dm_log, out_data: *mut *mut c_void, out_size: *mut usize) -> dm_result;
     /// Makes any text valid UTF-8, in place: a '?' for each piece that is no character, also for one that was cut off. Names and messages of this library are so already; hosts need it for what they write beside them. Returns the new length, never a longer one. NULL: 0.
     pub fn dm_gltf_mend_text(text: *mut c_char) -> usize;
+    /// Makes the files of all formats asked for, meshes that they share included, in memory. Parts that move are bodies, in metres and Z up, hung on what carries them; parts that stay, and fixed ones, are one with it. Bodies are called part\_N\_NAME, N the part's index + 1 and NAME what is legal of its first node's name; the body that stays is "body". Errors: those of the meshes, NOT\_FINITE, INVALID\_ARGUMENT (no format, parents in a circle), INDEX\_OUT\_OF\_RANGE, DEGENERATE\_MESH (no triangle), OUT\_OF\_MEMORY, STRUCT\_SIZE.
+    pub fn dm_gltf_rig_make(desc: *const dm_gltf_rig_desc, out_rig: *mut *mut dm_gltf_rig) -> dm_result;
+    /// Frees the files. NULL does nothing.
+    pub fn dm_gltf_rig_destroy(rig: *mut dm_gltf_rig);
+    /// How many files there are. NULL: 0.
+    pub fn dm_gltf_rig_file_count(rig: *const dm_gltf_rig) -> u32;
+    /// Meshes come before the files that refer to them. Errors: INVALID\_ARGUMENT, NOT\_FOUND.
+    pub fn dm_gltf_rig_get_file(rig: *const dm_gltf_rig, index: u32, out_file: *mut dm_gltf_rig_file) -> dm_result;
 }
 
 #[cfg(test)]
@@ -1857,6 +1950,8 @@ mod tests {
         check!(dm_gltf_surface, 56, first_face 0, face_count 8, colour 16, image 32, image_size 40, wrap_u 48, wrap_v 52);
         check!(dm_gltf_track, 48, name 0, face_ids 8, value 16, reserved 17, poses 24, times 32, key_count 40, reserved2 44);
         check!(dm_gltf_part, 56, name 0, positions 8, indices 16, vertex_count 24, index_count 32, colour 40);
+        check!(dm_gltf_rig_desc, 144, struct_size 0, formats 4, nodes 8, parts 16, joints 24, node_parts 32, colours 40, name 48, part_names 56, gltf 64, node_count 72, part_count 76, axes 80, unit_in_metres 84, density 88, thickness 92, friction 96, damping_time 100, allocator 104, log 128);
+        check!(dm_gltf_rig_file, 24, path 0, data 8, size 16);
     }
 
     #[test]
@@ -1909,5 +2004,7 @@ mod tests {
         check!(dm_gltf_surface, 48, first_face 0, face_count 8, colour 16, image 32, image_size 36, wrap_u 40, wrap_v 44);
         check!(dm_gltf_track, 32, name 0, face_ids 4, value 8, reserved 9, poses 16, times 20, key_count 24, reserved2 28);
         check!(dm_gltf_part, 48, name 0, positions 4, indices 8, vertex_count 16, index_count 24, colour 32);
+        check!(dm_gltf_rig_desc, 92, struct_size 0, formats 4, nodes 8, parts 12, joints 16, node_parts 20, colours 24, name 28, part_names 32, gltf 36, node_count 40, part_count 44, axes 48, unit_in_metres 52, density 56, thickness 60, friction 64, damping_time 68, allocator 72, log 84);
+        check!(dm_gltf_rig_file, 12, path 0, data 4, size 8);
     }
 }

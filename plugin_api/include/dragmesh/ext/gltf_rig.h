@@ -62,7 +62,7 @@ typedef struct dm_gltf_rig_file {
  * DEGENERATE_MESH (no triangle), OUT_OF_MEMORY, STRUCT_SIZE. */
 DM_API dm_result DM_CALL dm_gltf_rig_make(const dm_gltf_rig_desc* desc, dm_gltf_rig** out_rig);
 /* Frees the files. NULL does nothing. */
-DM_API void DM_CALL dm_gltf_rig_free(dm_gltf_rig* rig);
+DM_API void DM_CALL dm_gltf_rig_destroy(dm_gltf_rig* rig);
 /* How many files there are. NULL: 0. */
 DM_API uint32_t DM_CALL dm_gltf_rig_file_count(const dm_gltf_rig* rig);
 /* Meshes come before the files that refer to them. Errors: INVALID_ARGUMENT, NOT_FOUND. */
