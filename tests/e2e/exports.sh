@@ -59,6 +59,8 @@ for rig in "$work"/out/*/rig.json; do
     rigs+=("$folder")
 done
 
+[ -e "${rigs[0]}/rig.json" ] || { echo "exports.sh: nothing was rigged" >&2; exit 1; }
+
 # load NAME COMMAND… — runs a check whose last line is its result; shows what has failed.
 load() {
     local name=$1; shift

@@ -2,7 +2,9 @@
 import ctypes
 import gc
 import json
+import os
 import sys
+import tempfile
 import threading
 import typing
 import unittest
@@ -275,6 +277,24 @@ class Rigs(unittest.TestCase):
             with dragmesh.Gltf(DRAWER) as again, dragmesh.prepare_gltf(context, again) as thing:
                 moving = dragmesh.rig_gltf(context, gltf).info().moving_count
                 self.assertEqual([part.id for part in thing.parts()], list(range(1, moving + 1)))
+
+    def test_a_file_for_engines_and_simulators(self):
+        with dragmesh.Context() as context, dragmesh.Gltf(DRAWER) as gltf, tempfile.TemporaryDirectory() as folder:
+            asset = dragmesh.rig_gltf(context, gltf, min_moves=0.01)
+            files = dragmesh.export_rig(asset, gltf, dragmesh.RIG_FORMATS, name="Drawer & co")
+            self.assertLessEqual({"rigged.glb", "rigged.urdf", "rigged.xml", "rigged.sdf", "rigged.usda", "rigged.tscn"}, set(files))
+            self.assertIn(b'<robot name="asset_Drawer_co">', files["rigged.urdf"])
+            dragmesh.write_rig(folder, files)
+            for path, data in files.items():
+                with open(os.path.join(folder, path), "rb") as file:
+                    self.assertEqual(file.read(), data)
+            again = dragmesh.Gltf(files["rigged.glb"])
+            nodes, count = again.asset()
+            joints = [nodes[index].joint[0] for index in range(count) if nodes[index].joint]
+            self.assertEqual(len(joints), asset.info().moving_count)
+            for wrong in ("stl", ["urdf", "stl"], []):
+                with self.assertRaises((ValueError, dragmesh.Error)):
+                    dragmesh.export_rig(asset, gltf, wrong)
 
 
 if __name__ == "__main__":
