@@ -179,6 +179,23 @@ static void test_meshes_are_shared(void** state) {
     dm_gltf_rig_destroy(rig);
 }
 
+/* MuJoCo 3 refuses meshes without a volume. A corner of the square leaves its plane, by a millionth. */
+static void test_flat_meshes_get_a_volume(void** state) {
+    (void)state;
+    asset a;
+    make_asset(&a);
+    dm_gltf_rig* rig = make(&a);
+    double low = INFINITY, high = -INFINITY;
+    for (const char* at = text_of(rig, "meshes/mesh_2_knob.obj"); (at = strstr(at, "\nv ")) != NULL; at += 3) {
+        const double x = strtod(at + 3, NULL); /* the middle is that of all points, four of which are no corners */
+        if (x > 0) continue;
+        low = fmin(low, x);
+        high = fmax(high, x);
+    }
+    assert_true(high - low > 1e-7 && high - low < 1e-5);
+    dm_gltf_rig_destroy(rig);
+}
+
 /* Unreal's centimetres, left-handed and Z up. A positive angle turns left-handed there: the axis turns over. */
 static void test_axes_and_units(void** state) {
     (void)state;
@@ -411,6 +428,7 @@ int main(void) {
         cmocka_unit_test(test_masses),
         cmocka_unit_test(test_fixed_parts_are_one_with_what_carries_them),
         cmocka_unit_test(test_meshes_are_shared),
+        cmocka_unit_test(test_flat_meshes_get_a_volume),
         cmocka_unit_test(test_axes_and_units),
         cmocka_unit_test(test_what_formats_cannot_hold),
         cmocka_unit_test(test_a_locale_changes_nothing),

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "math/elementary.h"
-#include "mesh/export/rig_model.h"
+#include "mesh/export/flat_mesh.h"
 #include "mesh/export/rig_text.h"
 #include "mesh/mesh_read.h"
 
@@ -79,6 +79,7 @@ static dm_result read_mesh(dmi_rig_model* model, uint32_t node, dmi_rig_mesh* ou
     if (result != DM_OK) return result;
     read_points(model, &reader, transform, out, out_place);
     out->face_count = reader.face_count;
+    dmi_lift_corner(out);
     for (uint32_t f = 0; mirrors(model, transform) && f < out->face_count; f++) {
         const uint32_t second = out->faces[f][1];
         out->faces[f][1] = out->faces[f][2];

@@ -118,8 +118,8 @@ void dmi_text_put_xml(dmi_text* text, const char* words) {
 
 void dmi_text_put_quoted(dmi_text* text, const char* words) {
     for (; *words; words++) {
-        if (*words == '"' || *words == '\\') dmi_text_add(text, "\\", 1);
-        dmi_text_add(text, (unsigned char)*words < ' ' ? "?" : words, 1);
+        if (*words == '"') dmi_text_add(text, "\\", 1);
+        dmi_text_add(text, (unsigned char)*words < ' ' || *words == '\\' ? "?" : words, 1);
     }
 }
 

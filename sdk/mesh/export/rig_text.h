@@ -34,7 +34,8 @@ dmi_digits3_text dmi_digits3(const double v[3], const char* between);
 /* Adds any text as the content of an attribute in quotes or of an element. Characters that XML can't hold become '?'.
  */
 void dmi_text_put_xml(dmi_text* text, const char* words);
-/* The same within "…" of USD and Godot, whose escapes are C's. */
+/* The same within "…" of USD and Godot, whose escapes are C's. A backslash is '?' too: tinyusdz takes one before the
+ * closing quote for an escape of that, whatever stands before it. */
 void dmi_text_put_quoted(dmi_text* text, const char* words);
 
 /* Writes a name that every format takes: START, '_' and letters, digits and single '_' of `words`; size: of `out`. */
