@@ -2,6 +2,7 @@
 #ifndef CLI_RIG_H
 #define CLI_RIG_H
 
+#include "file_set.h"
 #include "job.h"
 #include "session.h"
 
@@ -60,8 +61,8 @@ uint32_t rig_read_formats(const char* list, char* out_unknown, size_t size);
 /* Writes the list for bits. */
 void rig_format_names(uint32_t formats, char* out, size_t size);
 /* Writes the files of the formats into a folder. Where nothing moves there is no GLB: it would be the file itself. */
-dm_result rig_write_formats(session* session, const rig* rig, uint32_t formats, const char* folder);
+dm_result rig_write_formats(file_set* set, const rig* rig, uint32_t formats, const char* folder);
 /* Writes a strip of pictures from closed to open, with the axes of the parts. up: 'x', 'y' or 'z'. */
-dm_result rig_write_film(session* session, const rig* rig, char up, const char* path);
+dm_result rig_write_film(file_set* set, const rig* rig, char up, const char* path);
 
 #endif

@@ -42,31 +42,32 @@ void rig_format_names(uint32_t asked, char* out, size_t size) {
 }
 
 /* The folder of the meshes is made where there are some. */
-static dm_result write_file(session* session, const dm_gltf_rig_file* file, const char* folder) {
+static dm_result write_file(file_set* set, const dm_gltf_rig_file* file, const char* folder) {
     const char* slash = strchr(file->path, '/');
     char *path = path_join(folder, file->path), *end = slash != NULL ? strrchr(path, '/') : NULL;
     dm_result result = DM_OK;
     if (end != NULL) {
         *end = 0;
-        if (platform_make_folder(path) != 0 && errno != EEXIST) result = session_fail_to_write(session, path);
+        if (platform_make_folder(path) != 0 && errno != EEXIST) result = session_fail_to_write(set->session, path);
         *end = '/';
     }
-    if (result == DM_OK) result = session_write(session, path, file->data, file->size);
+    if (result == DM_OK) result = file_set_add(set, path, file->data, file->size);
     free(path);
     return result;
 }
 
-static dm_result write_files(session* session, const dm_gltf_rig* files, const char* folder) {
+static dm_result write_files(file_set* set, const dm_gltf_rig* files, const char* folder) {
     dm_result result = DM_OK;
     for (uint32_t i = 0; i < dm_gltf_rig_file_count(files) && result == DM_OK; i++) {
         dm_gltf_rig_file file;
         dm_gltf_rig_get_file(files, i, &file);
-        result = write_file(session, &file, folder);
+        result = write_file(set, &file, folder);
     }
     return result;
 }
 
-dm_result rig_write_formats(session* session, const rig* rig, uint32_t asked, const char* folder) {
+dm_result rig_write_formats(file_set* set, const rig* rig, uint32_t asked, const char* folder) {
+    session* session = set->session;
     char name[DM_MAX_LABEL + 1];
     const uint32_t count = rig->info.part_count;
     dm_asset_part* parts = cli_alloc(count * sizeof *parts);
@@ -91,7 +92,7 @@ dm_result rig_write_formats(session* session, const rig* rig, uint32_t asked, co
     dm_gltf_rig* files = NULL;
     dm_result result = dm_asset_get_node_parts(session->context, rig->asset, node_parts, rig->node_count);
     if (result == DM_OK) result = dm_gltf_rig_make(&desc, &files);
-    if (result == DM_OK) result = write_files(session, files, folder);
+    if (result == DM_OK) result = write_files(set, files, folder);
     dm_gltf_rig_destroy(files);
     free(parts);
     free(joints);

@@ -39,20 +39,21 @@ static dm_result draw(renderer* r, const rig* rig, picture* strip) {
     return result;
 }
 
-static dm_result write_strip(session* session, renderer* r, const rig* rig, const char* path) {
+static dm_result write_strip(file_set* set, renderer* r, const rig* rig, const char* path) {
     picture strip = picture_new(FRAMES * (PIXELS + GAP) - GAP, PIXELS);
     size_t size;
     dm_result result = draw(r, rig, &strip);
     void* png = result == DM_OK ? picture_encode(&strip, &size) : NULL;
     if (result == DM_OK && png == NULL)
-        result = session_fail(session, DM_ERROR_OUT_OF_MEMORY, "no memory for the picture");
-    if (result == DM_OK) result = session_write(session, path, png, size);
+        result = session_fail(set->session, DM_ERROR_OUT_OF_MEMORY, "no memory for the picture");
+    if (result == DM_OK) result = file_set_add(set, path, png, size);
     free(png);
     picture_free(&strip);
     return result;
 }
 
-dm_result rig_write_film(session* session, const rig* rig, char up, const char* path) {
+dm_result rig_write_film(file_set* set, const rig* rig, char up, const char* path) {
+    session* session = set->session;
     session_release_object(session);
     dm_result result = dm_asset_make_object(session->context, rig->asset, &session->object);
     if (result != DM_OK) return result;
@@ -60,7 +61,7 @@ dm_result rig_write_film(session* session, const rig* rig, char up, const char* 
     result = render_open_parts(&renderer, session, up, rig_face_parts(session, rig), rig->info.part_count + 1);
     renderer.grid = 1; /* quick: a fourth of the rays */
     renderer.sky_rays = 3;
-    if (result == DM_OK) result = write_strip(session, &renderer, rig, path);
+    if (result == DM_OK) result = write_strip(set, &renderer, rig, path);
     render_close(&renderer);
     return result;
 }

@@ -15,34 +15,38 @@ static bool is_json(const char* path) {
     return length > 5 && strcmp(path + length - 5, ".json") == 0;
 }
 
-static dm_result write_answer(session* session, const rig* rig, const rig_options* options, const char* path) {
-    cJSON* json = rig_to_json(session, rig, options);
+static dm_result write_answer(file_set* set, const rig* rig, const rig_options* options, const char* path) {
+    cJSON* json = rig_to_json(set->session, rig, options);
     char* text = cJSON_Print(json);
     cJSON_Delete(json);
-    if (text == NULL) return session_fail(session, DM_ERROR_OUT_OF_MEMORY, "no memory for the answer");
+    if (text == NULL) return session_fail(set->session, DM_ERROR_OUT_OF_MEMORY, "no memory for the answer");
     dm_gltf_mend_text(text);
-    const dm_result result = session_write(session, path, text, strlen(text));
+    const dm_result result = file_set_add(set, path, text, strlen(text));
     cJSON_free(text);
     return result;
 }
 
 /* The answer comes last: where it is, all is. */
-static dm_result write_folder(session* session, const rig* rig, const rig_options* options, const rig_output* output) {
+static dm_result write_folder(file_set* set, const rig* rig, const rig_options* options, const rig_output* output) {
     char *film = path_join(output->path, "film.png"), *answer = path_join(output->path, RIG_ANSWER);
     dm_result result = platform_make_folder(output->path) == 0 || errno == EEXIST
                            ? DM_OK
-                           : session_fail_to_write(session, output->path);
-    if (result == DM_OK) result = rig_write_formats(session, rig, options->formats, output->path);
-    if (result == DM_OK && rig->info.moving_count > 0) result = rig_write_film(session, rig, output->up[0], film);
-    if (result == DM_OK) result = write_answer(session, rig, options, answer);
+                           : session_fail_to_write(set->session, output->path);
+    if (result == DM_OK) result = rig_write_formats(set, rig, options->formats, output->path);
+    if (result == DM_OK && rig->info.moving_count > 0) result = rig_write_film(set, rig, output->up[0], film);
+    if (result == DM_OK) result = write_answer(set, rig, options, answer);
     free(film);
     free(answer);
     return result;
 }
 
 dm_result rig_output_write(session* session, const rig* rig, const rig_options* options, const rig_output* output) {
-    return is_json(output->path) ? write_answer(session, rig, options, output->path)
-                                 : write_folder(session, rig, options, output);
+    file_set set = {.session = session};
+    dm_result result = is_json(output->path) ? write_answer(&set, rig, options, output->path)
+                                             : write_folder(&set, rig, options, output);
+    if (result == DM_OK) result = file_set_publish(&set);
+    file_set_free(&set);
+    return result;
 }
 
 void rig_output_report(const session* session, const rig_output* output, const char* file, bool is_done, const rig* rig,

@@ -30,6 +30,7 @@ commands=(
     "eval --mistakes|@/index.txt @/001.png @/sheet_01.png|$tool eval $work/wrong --models none --no-drag --turn --mistakes @"
     "dragbot --poses|@/out.jsonl|$tool dragbot $work/set --models none --cameras 1 --poses @/out.jsonl"
     "demo|@/out.png @/out.glb|$tool demo $work/set/door --models none --size 16 -o @/out"
+    "rig|@/rigged.usda @/rigged.glb @/film.png @/rig.json|$tool rig $object --models none --min-moves 0.001 -o @ --formats usda,glb"
     "generate|@/object.glb @/joints.json|$build/dragmesh_generate --category door --seed 1 -o @"
     "generate --sheet|@/out.png|$build/dragmesh_generate --sheet --category door --columns 1 -o @/out.png"
     "sample 05|@/out.dmo|$build/samples/sample_prepare_offline $object body @/out.dmo"
