@@ -3,7 +3,7 @@
 # URDF by urdfdom and MuJoCo, MJCF by MuJoCo, SDF by libsdformat; USDA, Godot's scenes and the GLB are read back. Every joint is
 # driven, and where all triangles are is compared with what rig.json says.
 # FOLDER: of assets, as `dragmesh rig` takes it, of which --most N are taken. --generated N: so many generated ones, of as many
-# kinds. Neither: an asset of all kinds of joints and hostile names, and the cabinet. --keep: where files and reports stay.
+# kinds. Neither: an asset of all kinds of joints and hostile names, the chest of docs/exports.md, and the cabinet. --keep: where files and reports stay.
 # Consumers that are not installed are named and left out.
 set -euo pipefail
 build=$(realpath "$1"); shift
@@ -45,7 +45,9 @@ if [ "$generated" -gt 0 ]; then
 fi
 if [ ${#folders[@]} = 0 ] && [ "$generated" = 0 ]; then
     /usr/bin/python3 tests/e2e/exports/odd_asset.py "$work/odd.glb"
+    /usr/bin/python3 tests/e2e/exports/odd_asset.py "$work/chest.glb" chest
     link odd "$work/odd.glb"
+    link chest "$work/chest.glb"
     link cabinet "$PWD/samples/cabinet.glb"
 fi
 
@@ -87,4 +89,5 @@ for check in check_mujoco check_sdf; do
     if [ -x "$build/tests/$check" ]; then load $check "$build/tests/$check" "${pairs[@]}"; else echo "exports.sh: no $check"; fi
 done
 load check_text /usr/bin/python3 tests/e2e/exports/check_text.py "${rigs[@]}"
+[ ! -e "$work/in/chest.glb" ] || load page /usr/bin/python3 tests/e2e/exports/check_page.py docs/exports.md "$work/out/chest"
 exit $failed

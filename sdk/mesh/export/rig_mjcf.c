@@ -77,14 +77,15 @@ static void put_body(const dmi_rig_model* model, uint32_t index, dmi_text* out) 
 }
 
 static void put_screws(const dmi_rig_model* model, dmi_text* out) {
-    dmi_text_put(out, "  <equality>\n");
+    bool any = false;
     for (uint32_t b = 0; b < model->body_count; b++) {
         const dmi_rig_body* body = &model->bodies[b];
         if (body->kind != DMI_RIG_SCREW) continue;
-        dmi_text_put(out, "    <joint joint1=\"%s_way\" joint2=\"%s\" polycoef=\"0 %s 0 0 0\"/>\n", body->joint_name,
-                     body->joint_name, dmi_digits(body->pitch).text);
+        dmi_text_put(out, "%s    <joint joint1=\"%s_way\" joint2=\"%s\" polycoef=\"0 %s 0 0 0\"/>\n",
+                     any ? "" : "  <equality>\n", body->joint_name, body->joint_name, dmi_digits(body->pitch).text);
+        any = true;
     }
-    dmi_text_put(out, "  </equality>\n");
+    if (any) dmi_text_put(out, "  </equality>\n");
 }
 
 void dmi_rig_print_mjcf(const dmi_rig_model* model, dmi_text* out) {
