@@ -7,6 +7,8 @@
 
 /* Shares of a mesh's size: what is less high lies in one plane, and by how much a corner of that is lifted. By hand. */
 static const double flat = 1e-7, lift = 1e-6;
+/* What a lifted corner adds is an area of this by its height, m³. By hand: twenty times what MuJoCo 3 asks for. */
+static const double least_volume = 2e-13;
 
 static void cross(const double a[3], const double b[3], double out[3]) {
     out[0] = a[1] * b[2] - a[2] * b[1];
@@ -38,19 +40,38 @@ static double size_of(const dmi_rig_mesh* mesh) {
     return 2 * half;
 }
 
-void dmi_lift_corner(dmi_rig_mesh* mesh) {
-    const double size = size_of(mesh);
-    double volume = 0, area = 0, most = 0, normal[3], up[3];
-    uint32_t largest = 0;
+/* Writes by how much the largest triangle's corners are lifted. Returns that triangle; UINT32_MAX: none has an area. */
+static uint32_t find_lift(const dmi_rig_mesh* mesh, double* out_volume, double* out_area, double out_lift[3]) {
+    double most = 0, normal[3];
+    uint32_t largest = UINT32_MAX;
+    *out_volume = *out_area = 0;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
-        volume += measure_face(mesh, f, normal);
-        area += length_of(normal);
+        *out_volume += measure_face(mesh, f, normal);
+        *out_area += length_of(normal);
         if (length_of(normal) <= most) continue;
         most = length_of(normal);
         largest = f;
     }
-    if (!(most > 0) || volume > flat * size * area) return;
-    measure_face(mesh, largest, up);
-    float* corner = mesh->points[mesh->faces[largest][0]];
-    for (int k = 0; k < 3; k++) corner[k] = (float)((double)corner[k] + lift * size * up[k] / most);
+    if (largest == UINT32_MAX) return largest;
+    measure_face(mesh, largest, normal);
+    const double height = dmi_fmax(lift * size_of(mesh), least_volume / most);
+    for (int k = 0; k < 3; k++) out_lift[k] = height * normal[k] / most;
+    return largest;
+}
+
+void dmi_lift_corner(dmi_rig_mesh* mesh, double most) {
+    double volume, area, up[3];
+    const uint32_t face = find_lift(mesh, &volume, &area, up);
+    if (face == UINT32_MAX || volume > flat * size_of(mesh) * area || length_of(up) > most) return;
+    float* corner = mesh->points[mesh->faces[face][0]];
+    for (int k = 0; k < 3; k++) corner[k] = (float)((double)corner[k] + up[k]);
+}
+
+bool dmi_find_fourth_point(const dmi_rig_mesh* mesh, uint32_t* out_face, float out_point[3]) {
+    double volume, area, up[3];
+    if (mesh->point_count >= 4) return false; /* literal: of a tetrahedron */
+    *out_face = find_lift(mesh, &volume, &area, up);
+    if (*out_face == UINT32_MAX) return false;
+    for (int k = 0; k < 3; k++) out_point[k] = (float)((double)mesh->points[mesh->faces[*out_face][2]][k] + up[k]);
+    return true;
 }

@@ -11,6 +11,9 @@
 
 /* Share of the asset's size by which points of alike meshes may differ: float rounding of positions; by hand. */
 static const double alike = 1e-6;
+/* Share of the asset's size by which a corner of a flat mesh may be lifted: a tenth of what poses may be off. By hand.
+ */
+static const double lift_most = 1e-5;
 enum { COLUMN = 4, TRANSFORM = 16, CHANNELS = 4 };
 
 static const float identity[TRANSFORM] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -79,7 +82,7 @@ static dm_result read_mesh(dmi_rig_model* model, uint32_t node, dmi_rig_mesh* ou
     if (result != DM_OK) return result;
     read_points(model, &reader, transform, out, out_place);
     out->face_count = reader.face_count;
-    dmi_lift_corner(out);
+    dmi_lift_corner(out, lift_most * model->size);
     for (uint32_t f = 0; mirrors(model, transform) && f < out->face_count; f++) {
         const uint32_t second = out->faces[f][1];
         out->faces[f][1] = out->faces[f][2];

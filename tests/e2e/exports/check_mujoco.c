@@ -37,10 +37,10 @@ static void set_values(const rigged_asset* asset, const mjModel* m, mjData* d, c
 
 /* How far the corners of a mesh of the model are from those of the part, from corner `from` on; sizes of the asset. */
 static double compare_geom(const rigged_asset* asset, const mjModel* m, const mjData* d, int geom, int part,
-                           size_t from, const double* values) {
+                           size_t from, size_t corners, const double* values) {
     const int mesh = m->geom_dataid[geom];
     double worst = 0;
-    for (int i = 0; i < 3 * m->mesh_facenum[mesh]; i++) {
+    for (int i = 0; i < (int)corners; i++) {
         const float* v = m->mesh_vert + 3 * (m->mesh_vertadr[mesh] + m->mesh_face[3 * m->mesh_faceadr[mesh] + i]);
         const mjtNum local[3] = {(mjtNum)v[0], (mjtNum)v[1], (mjtNum)v[2]};
         mjtNum there[3];
@@ -56,19 +56,22 @@ static double compare_geom(const rigged_asset* asset, const mjModel* m, const mj
 
 static void compare(const rigged_asset* asset, const mjModel* m, const mjData* d, const double* values, outcome* out) {
     size_t* seen = calloc((size_t)asset->count + 1, sizeof *seen);
+    int* nodes = calloc((size_t)asset->count + 1, sizeof *nodes);
     for (int g = 0; g < m->ngeom; g++) {
         if (m->geom_type[g] != mjGEOM_MESH) continue;
         const int part = part_of_body(asset, m, m->geom_bodyid[g]);
-        const size_t corners = 3 * (size_t)m->mesh_facenum[m->geom_dataid[g]];
-        if (part < 0 || seen[part] + corners > asset->parts[part].corner_count) {
+        const size_t all = 3 * (size_t)m->mesh_facenum[m->geom_dataid[g]];
+        const size_t corners = part < 0 ? 0 : rigged_node_corners(&asset->parts[part], nodes[part]++, all);
+        if (corners == 0) {
             out->uncompared++;
             continue;
         }
-        out->worst = fmax(out->worst, compare_geom(asset, m, d, g, part, seen[part], values));
+        out->worst = fmax(out->worst, compare_geom(asset, m, d, g, part, seen[part], corners, values));
         seen[part] += corners;
     }
     for (int p = 0; p <= asset->count; p++) out->uncompared += seen[p] != asset->parts[p].corner_count;
     free(seen);
+    free(nodes);
 }
 
 /* Drives one joint after the other, and then all at once. */

@@ -87,8 +87,9 @@ void compare(const rigged_asset& asset, const std::string& folder, const sdf::Mo
     size_t corner = 0;
     for (uint64_t v = 0; v < link.VisualCount(); v++) {
         const sdf::Visual& visual = *link.VisualByIndex(v);
-        for (const Vector& p : read_corners(folder + "/" + visual.Geom()->MeshShape()->Uri())) {
-            if (corner == asset.parts[part].corner_count) break;
+        std::vector<Vector> corners = read_corners(folder + "/" + visual.Geom()->MeshShape()->Uri());
+        corners.resize(rigged_node_corners(&asset.parts[part], static_cast<int>(v), corners.size()));
+        for (const Vector& p : corners) {
             const Vector at = rest.CoordPositionAdd(visual.RawPose().CoordPositionAdd(p));
             const Vector there = moved.Pos() + moved.Rot() * at;
             double here[3];

@@ -1,5 +1,5 @@
 """odd_asset.py OUT.glb [chest] — writes an asset with what exporters break on: names that formats must not see, a joint of every kind, a
-nested chain, a screw, a slide without limits, a fixed part, twins, a mirrored node, a sheet of two triangles, a mesh inside out, a
+nested chain, a screw, a slide without limits, a fixed part, twins, a mirrored node, a sheet of two triangles, a single one, a mesh inside out, a
 triangle without area, and nodes that are turned and scaled. Its joints are stated in `extras`. chest: the box with a lid of
 docs/exports.md instead."""
 import json
@@ -41,7 +41,7 @@ def main():
 
     cube, inside_out = mesh(CUBE, SIDES), mesh(CUBE, SIDES[:, ::-1])
     sheet = mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3), (0, 0, 1)])
-    lid = mesh(CUBE, SIDES[:-2])
+    lid, triangle = mesh(CUBE, SIDES[:-2]), mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
     eighth = math.sin(math.pi / 8), math.cos(math.pi / 8)
     nodes = [
         {"name": "frame", "mesh": cube, "scale": [2, 2, 0.1], "children": list(range(1, 12))},
@@ -60,7 +60,7 @@ def main():
         {"name": NAMES[10], "mesh": cube, "translation": [6, 0, 2], "extras": joint("revolute", [0, 0, -1], [0, 0, 0], -2, 1)},
         {"name": NAMES[11], "mesh": lid, "translation": [0, 2, 0], "extras": joint("prismatic", [0, 1, 0], [0, 0, 0], -0.2, 0.4),
          "children": [13]},
-        {"name": "handle", "mesh": sheet, "translation": [0, 1, 1], "extras": joint("revolute", [1, 0, 0], [0, 0, 0], 0, 1)},
+        {"name": "handle", "mesh": triangle, "translation": [0, 1, 1], "extras": joint("revolute", [1, 0, 0], [0, 0, 0], 0, 1)},
     ]
     if sys.argv[2:] == ["chest"]:
         nodes = [{"name": "chest", "mesh": lid, "scale": [0.6, 0.3, 0.4], "children": [1]},

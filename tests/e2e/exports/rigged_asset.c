@@ -65,6 +65,8 @@ static int mover(const rigged_asset* asset, int part) {
 static void add_node(const dm_mesh_desc* mesh, rigged_part* out) {
     const float* points = mesh->positions;
     const uint32_t* indices = mesh->indices;
+    out->node_corners = realloc(out->node_corners, (size_t)(out->node_count + 1) * sizeof *out->node_corners);
+    out->node_corners[out->node_count++] = mesh->index_count;
     out->corners = realloc(out->corners, (out->corner_count + mesh->index_count) * sizeof *out->corners);
     for (uint64_t i = 0; i < mesh->index_count; i++) {
         const float* p = points + 3 * (size_t)indices[i];
@@ -127,7 +129,10 @@ bool rigged_open(const char* file, const char* folder, rigged_asset* out) {
 }
 
 void rigged_close(rigged_asset* asset) {
-    for (int p = 0; asset->parts != NULL && p <= asset->count; p++) free(asset->parts[p].corners);
+    for (int p = 0; asset->parts != NULL && p <= asset->count; p++) {
+        free(asset->parts[p].corners);
+        free(asset->parts[p].node_corners);
+    }
     free(asset->parts);
 }
 
@@ -161,4 +166,10 @@ int rigged_part_called(const rigged_asset* asset, const char* name) {
     if (strncmp(name, "part_", 5) != 0) return -1;
     const long number = strtol(name + 5, NULL, 10);
     return number >= 1 && number <= asset->count ? (int)number - 1 : -1;
+}
+
+size_t rigged_node_corners(const rigged_part* part, int node, size_t corners) {
+    if (node >= part->node_count) return 0;
+    const size_t own = part->node_corners[node];
+    return corners == own || corners == own + 3 ? own : 0;
 }
