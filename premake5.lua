@@ -429,6 +429,9 @@ if installed "mujoco/mujoco.h" then
     program("check_mujoco", { exports .. "check_mujoco.c", exports .. "rigged_asset.c" }, everything,
         { "mujoco", "dragmesh_gltf", "cjson", "m" }, "/tests")
 end
+if installed "mujoco/mujoco.h" and installed "GL/osmesa.h" then -- for scripts/pictures
+    program("draw_mujoco", { exports .. "draw_mujoco.c" }, {}, { "mujoco", "OSMesa", "png", "m" }, "/tests")
+end
 if installed "sdformat-12.3/sdf/sdf.hh" then
     program("check_sdf", { exports .. "check_sdf.cpp", exports .. "rigged_asset.c" }, everything,
         { "sdformat12", "ignition-math6", "dragmesh_gltf", "cjson", "m" }, "/tests")
