@@ -213,6 +213,39 @@ static void test_workers_change_nothing(void** state) {
     assert_same_bytes("serial/a/film.png", "parallel/a/film.png");
 }
 
+/* Formats go into a folder and from a file whose names are no names of formats; a run for others does the asset again.
+ */
+static void test_formats(void** state) {
+    (void)state;
+    copy_cabinet("a \"b\" & <c>'.glb");
+    tool_run(&out, "dragmesh", NULL,
+             "rig|%s/a \"b\" & <c>'.glb|--models|none|--min-moves|0.001|--formats|urdf,tscn|-o|%s/o ü;$(x)", folder,
+             folder);
+    if (out.status != 0) fail_msg("%s", out.errors);
+    assert_true(exists("o ü;$(x)/rigged.urdf") && exists("o ü;$(x)/rigged.tscn") && exists("o ü;$(x)/film.png"));
+    assert_true(exists("o ü;$(x)/meshes/mesh_1_body.obj"));
+    assert_false(exists("o ü;$(x)/rigged.glb") || exists("o ü;$(x)/rigged.sdf"));
+    char path[PATH];
+    size_t size;
+    in_folder(path, "o ü;$(x)/rigged.urdf");
+    char* urdf = tool_read(path, &size);
+    assert_non_null(strstr(urdf, "<robot name=\"asset_a_b_c\">"));
+    free(urdf);
+    tool_run(&out, "dragmesh", NULL, "rig|%s/in/deep|--models|none|-o|%s/twice", folder, folder);
+    assert_non_null(strstr(out.text, "1 assets: 1 rigged"));
+    assert_false(exists("twice/object/rigged.xml"));
+    tool_run(&out, "dragmesh", NULL, "rig|%s/in/deep|--models|none|--formats|mjcf|-o|%s/twice", folder, folder);
+    assert_non_null(strstr(out.text, "1 assets: 1 rigged"));
+    assert_true(exists("twice/object/rigged.xml"));
+    static const char* const wrong[] = {"stl", "urdf,stl", ","};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        tool_run(&out, "dragmesh", NULL, "rig|samples/cabinet.glb|--formats|%s|-o|%s/wrong", wrong[i], folder);
+        assert_int_equal(out.status, 2);
+        assert_non_null(strstr(out.errors, "--formats: '"));
+        assert_false(exists("wrong"));
+    }
+}
+
 /* The naive hand on an asset whose left door and body are known. */
 static void test_first_touch(void** state) {
     (void)state;
@@ -275,6 +308,7 @@ int main(void) {
         cmocka_unit_test(test_a_clip_of_the_file_stays_its_own),
         cmocka_unit_test(test_a_folder),
         cmocka_unit_test(test_workers_change_nothing),
+        cmocka_unit_test(test_formats),
         cmocka_unit_test(test_first_touch),
         cmocka_unit_test(test_bad_arguments),
     };
