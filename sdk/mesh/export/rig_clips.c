@@ -9,6 +9,7 @@
 
 enum { KEYS = 41 };                    /* key frames there and back; by hand */
 enum { VALUES = 255 };                 /* part ids that one array of bytes tells apart */
+#define NO_TRACK UINT32_MAX
 static const float seconds_open = 2;   /* duration of the opening, s; by hand */
 static const float rest_share = 0.05f; /* of the range: an end this near to rest is where the part rests; by hand */
 static const float far_share = 0.5f;   /* of its size, that a part without limits slides; by hand */
@@ -43,38 +44,59 @@ static void pose_bodies(const dmi_rig_model* model, uint32_t key, dm_pose* poses
     }
 }
 
-/* Marks the faces of the file by the body with which each goes: an array for VALUES tracks. */
-static void mark_faces(const dmi_rig_model* model, uint64_t face_count, uint8_t* ids) {
+bool dmi_rig_is_left_to_clip(const dmi_rig_model* model, uint32_t body) {
+    for (; body != 0; body = model->bodies[body].parent)
+        if (model->desc->parts[model->bodies[body].part].basis == DM_ASSET_FROM_CLIP) return true;
+    return false;
+}
+
+/* Lists the bodies that get a track. */
+static uint32_t list_bodies(const dmi_rig_model* model, uint32_t* track_of, uint32_t* body_of) {
+    uint32_t count = 0;
+    for (uint32_t b = 0; b < model->body_count; b++) {
+        const bool has_track = b > 0 && !dmi_rig_is_left_to_clip(model, b);
+        track_of[b] = has_track ? count : NO_TRACK;
+        if (has_track) body_of[count++] = b;
+    }
+    return count;
+}
+
+/* Marks the faces of the file by the track that moves each: an array for VALUES tracks. */
+static void mark_faces(const dmi_rig_model* model, const uint32_t* track_of, uint64_t face_count, uint8_t* ids) {
     for (uint32_t i = 0; i < model->shape_count; i++) {
         const dmi_rig_shape* shape = &model->shapes[i];
         dm_gltf_node node;
-        if (shape->body == 0 || dm_gltf_get_node(model->desc->gltf, shape->node, &node) != DM_OK) continue;
-        const uint32_t track = shape->body - 1;
+        const uint32_t track = track_of[shape->body];
+        if (track == NO_TRACK || dm_gltf_get_node(model->desc->gltf, shape->node, &node) != DM_OK) continue;
         memset(ids + track / VALUES * face_count + node.first_face, (int)(track % VALUES + 1), node.face_count);
     }
 }
 
-dm_result dmi_rig_make_tracks(dmi_rig_model* model, dm_gltf_track** out_tracks) {
+dm_result dmi_rig_make_tracks(dmi_rig_model* model, dm_gltf_track** out_tracks, uint32_t* out_count) {
     dm_mesh_desc mesh;
-    const uint32_t count = model->body_count - 1, arrays = (count + VALUES - 1) / VALUES;
+    const uint32_t bodies = model->body_count, arrays = (bodies + VALUES - 1) / VALUES;
     if (dm_gltf_get_mesh(model->desc->gltf, &mesh) != DM_OK) return DM_ERROR_INVALID_ARGUMENT;
     const uint64_t faces = mesh.index_count / 3;
-    dm_gltf_track* tracks = dmi_rig_push(model, count, sizeof *tracks);
-    dm_pose* poses = dmi_rig_push(model, (size_t)model->body_count * KEYS, sizeof *poses);
+    dm_gltf_track* tracks = dmi_rig_push(model, bodies, sizeof *tracks);
+    dm_pose* poses = dmi_rig_push(model, (size_t)bodies * KEYS, sizeof *poses);
     float* times = dmi_rig_push(model, KEYS, sizeof *times);
+    uint32_t *track_of = dmi_rig_push(model, bodies, sizeof *track_of),
+             *body_of = dmi_rig_push(model, bodies, sizeof *body_of);
     uint8_t* ids = dmi_rig_push(model, arrays * faces, sizeof *ids);
-    if (tracks == NULL || poses == NULL || times == NULL || ids == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    if (tracks == NULL || poses == NULL || times == NULL || track_of == NULL || body_of == NULL || ids == NULL)
+        return DM_ERROR_OUT_OF_MEMORY;
     memset(ids, 0, arrays * faces);
-    mark_faces(model, faces, ids);
+    *out_count = list_bodies(model, track_of, body_of);
+    mark_faces(model, track_of, faces, ids);
     for (uint32_t key = 0; key < KEYS; key++) {
         times[key] = seconds_open * 2 * (float)key / (KEYS - 1);
         pose_bodies(model, key, poses);
     }
-    for (uint32_t t = 0; t < count; t++)
-        tracks[t] = (dm_gltf_track){.name = model->bodies[t + 1].name,
+    for (uint32_t t = 0; t < *out_count; t++)
+        tracks[t] = (dm_gltf_track){.name = model->bodies[body_of[t]].name,
                                     .face_ids = ids + t / VALUES * faces,
                                     .value = (uint8_t)(t % VALUES + 1),
-                                    .poses = poses + (size_t)(t + 1) * KEYS,
+                                    .poses = poses + (size_t)body_of[t] * KEYS,
                                     .times = times,
                                     .key_count = KEYS};
     *out_tracks = tracks;

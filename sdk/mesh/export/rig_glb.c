@@ -8,7 +8,8 @@
  *   <carrier>              the track of the part that carries it, or a node that stays
  *   └ <joint>_seat         the same place on the carrier
  *
- * The limits tell how the seat stands in the frame of the joint's node, which moves: the other way round. */
+ * What a clip of the file moves, with all that it carries, is left to that clip: its node gets the joint in `extras`, and
+ * no body. The limits tell how the seat stands in the frame of the joint's node, which moves: the other way round. */
 #include "mesh/export/rig_glb.h"
 
 #include <stdio.h>
@@ -55,6 +56,18 @@ static double unit_of(const writer* w) {
 }
 
 /* ---- nodes ---- */
+
+/* Finds the node of a part that its file's clip moves; of one that goes along with such a part, its first. */
+static int32_t find_clip_node(const writer* w, uint32_t part) {
+    const dm_gltf_rig_desc* desc = w->model->desc;
+    uint32_t found = DM_ASSET_NO_NODE, number = 0;
+    for (uint32_t n = desc->node_count; n-- > 0;) {
+        if (desc->node_parts[n] != part) continue;
+        if (found == DM_ASSET_NO_NODE || desc->nodes[n].clip_count > 0 || desc->nodes[found].clip_count == 0) found = n;
+    }
+    if (found == DM_ASSET_NO_NODE || dm_gltf_get_asset_node(desc->gltf, found, &number) != DM_OK) return -1;
+    return (int32_t)number;
+}
 
 /* Finds the node of a body's track: the last one of its name, since tracks come behind all others. */
 static int32_t find_track(const writer* w, const dmi_rig_body* body) {
@@ -262,8 +275,9 @@ static void edit_scene(writer* w) {
     w->tracks[0] = add_root(w);
     for (uint32_t b = 0; b < model->body_count; b++) {
         const dmi_rig_body* body = &model->bodies[b];
-        if (b > 0) add_motion(w, body, w->tracks[b]);
         if (b > 0) add_extras(w, body, w->tracks[b].json);
+        if (dmi_rig_is_left_to_clip(model, b)) continue;
+        if (b > 0) add_motion(w, body, w->tracks[b]);
         for (uint32_t i = 0; i < body->box_count; i++) add_box(w, b, i);
         if (b > 0 && body->kind != DMI_RIG_FREE) add_joint(w, b);
     }
@@ -284,10 +298,11 @@ static void forget_physics(writer* w) {
 
 static dm_result find_tracks(writer* w) {
     for (uint32_t b = 1; b < w->model->body_count; b++) {
-        const int32_t node = find_track(w, &w->model->bodies[b]);
+        const dmi_rig_body* body = &w->model->bodies[b];
+        const int32_t node = dmi_rig_is_left_to_clip(w->model, b) ? find_clip_node(w, body->part) : find_track(w, body);
         if (node < 0)
             return dmi_fail(w->model->env, DM_ERROR_NOT_FOUND, "dm_gltf_rig_make: the GLB has lost %s",
-                            w->model->bodies[b].name);
+                            body->name);
         if (w->edit.problem.code == DM_OK)
             w->tracks[b] = (dmi_edit_item){w->edit.document.items[DMI_GLTF_NODES][node], node};
     }
@@ -322,8 +337,9 @@ dm_result dmi_rig_write_glb(dmi_rig_model* model, void** out_data, size_t* out_s
     size_t size = 0;
     dm_gltf* gltf = model->desc->gltf;
     dm_gltf_get_origin(gltf, w.origin);
-    dm_result result = dmi_rig_make_tracks(model, &tracks);
-    if (result == DM_OK) result = dm_gltf_export(gltf, tracks, model->body_count - 1, &scene, &size);
+    uint32_t track_count;
+    dm_result result = dmi_rig_make_tracks(model, &tracks, &track_count);
+    if (result == DM_OK) result = dm_gltf_export(gltf, tracks, track_count, &scene, &size);
     if (result == DM_OK) result = write_scene(&w, scene, size, out_data, out_size);
     dm_gltf_release_bytes(gltf, scene, size);
     return result;

@@ -19,7 +19,8 @@ enum {
     DM_GLTF_RIG_TSCN = 16, /* rigged.tscn: Godot 4 */
     DM_GLTF_RIG_GLB = 32   /* rigged.glb: the file with an animation that opens and closes all parts, with
                               KHR_physics_rigid_bodies, KHR_implicit_shapes and KHR_node_selectability, and the joints
-                              in `extras` as dm_gltf_get_asset reads them */
+                              in `extras` as dm_gltf_get_asset reads them. What a clip of the file moves, with all that it
+                              carries, is left to that clip: it has its joint in `extras` alone */
 };
 
 /* What dm_asset_create was given and what it has answered. Everything is borrowed for the call. */
