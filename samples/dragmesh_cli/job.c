@@ -86,7 +86,7 @@ static void find_hints(const session* session, const job* job, bool from_file, p
     if (from_file && job->moving.count > 0 && job->mask == NULL && !job->find_part)
         part_hints_of_node(session->gltf, session->path, job->moving.names[0], out);
     if (job->label != NULL) part_hints_set_label(out, job->label);
-    if (job->has_pivot) out->pivot = job->pivot;
+    if (job->has_pivot) out->pivot = job->pivot, out->pivot_kind = DM_PIVOT_UNKNOWN;
     out->has_pivot = (out->has_pivot || job->has_pivot) && !job->no_pivot;
 }
 

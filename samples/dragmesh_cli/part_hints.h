@@ -11,6 +11,7 @@ typedef struct part_hints {
     char label[DM_MAX_LABEL + 1]; /* "": none */
     bool has_pivot;
     dm_pivot pivot;
+    int32_t pivot_kind; /* DM_PIVOT_* */
 } part_hints;
 
 /* Takes label and pivot of a node from its file; `path`, whose last name begins the label, may be NULL. Both stay empty

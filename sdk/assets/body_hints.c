@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "assets/asset_mesh.h"
+#include "mesh/part_pivots.h"
 
 enum { COLUMN = 4, ORIGIN = 12 };    /* in a transform of 16 numbers: between columns; of the translation */
 #define SEVERAL (DMI_ASSET_BODY - 1) /* nodes of several bodies, or of the body that stays */
@@ -26,19 +27,22 @@ bool dmi_asset_node_pivot(const dm_asset_node* node, dm_pivot* out_pivot) {
     return true;
 }
 
-/* Returns whether the origins of all nodes with meshes are one point, as exporters leave them that have applied the
- * transforms. */
-static bool pivots_are_lost(const dm_asset_node* nodes, uint32_t count) {
-    dm_pivot first, other;
-    uint32_t seen = 0;
-    for (uint32_t i = 0; i < count; i++) {
-        if (!dmi_asset_node_counts(&nodes[i]) || !dmi_asset_node_pivot(&nodes[i], seen == 0 ? &first : &other))
-            continue;
-        if (seen++ == 0) continue;
-        if (other.origin.x != first.origin.x || other.origin.y != first.origin.y || other.origin.z != first.origin.z)
-            return false;
-    }
-    return seen > 1;
+/* Judges the pivots of all nodes, each by its own faces: parts[i + 1] of the mesh are those of node i. */
+static dm_result judge_pivots(dmi_env* env, const dmi_asset_query* query, const dm_asset_node* nodes,
+                              dmi_pivot_kind* out) {
+    const uint32_t count = query->node_count, parts = query->mesh->part_count;
+    dm_pivot* pivots = dmi_arena_push(query->arena, parts * sizeof *pivots);
+    const dm_pivot** known = dmi_arena_push(query->arena, parts * sizeof *known);
+    dmi_pivot_gauge* gauges = dmi_arena_push(query->arena, parts * sizeof *gauges);
+    dmi_pivot_witness* witnesses = dmi_arena_push(query->arena, parts * sizeof *witnesses);
+    if (pivots == NULL || known == NULL || gauges == NULL || witnesses == NULL)
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_asset_create: no memory for the pivots of %u nodes", count);
+    known[0] = NULL;
+    for (uint32_t i = 0; i < count; i++)
+        known[i + 1] = dmi_asset_node_pivot(&nodes[i], &pivots[i + 1]) ? &pivots[i + 1] : NULL;
+    dmi_part_pivots_measure(query->mesh, known, gauges, witnesses);
+    dmi_pivots_judge(witnesses + 1, count, out);
+    return DM_OK;
 }
 
 /* ---- the nodes of a body ---- */
@@ -125,18 +129,28 @@ static const char* make_label(const dmi_asset_query* query, uint32_t node) {
     return label;
 }
 
+/* Writes the pivot of a body and what is known of it, where that may say something. */
+static void describe_pivot(const dm_asset_node* node, dmi_pivot_kind kind, dm_pivot* pivot, dm_part_desc* out_part) {
+    if (kind == DMI_PIVOT_UNSET || !dmi_asset_node_pivot(node, pivot)) return;
+    out_part->pivot = pivot;
+    out_part->pivot_kind = kind == DMI_PIVOT_SET ? DM_PIVOT_SET : DM_PIVOT_UNKNOWN;
+}
+
 dm_result dmi_asset_describe_bodies(dmi_env* env, const dmi_asset_query* query, const dm_asset_node* nodes,
                                     const dmi_asset_bodies* bodies, dm_part_desc* out_parts) {
-    const bool lost = pivots_are_lost(nodes, query->node_count);
     body_nodes found;
     dm_pivot* pivots = dmi_arena_push(query->arena, bodies->count * sizeof *pivots);
+    dmi_pivot_kind* kinds = dmi_arena_push(query->arena, query->node_count * sizeof *kinds);
     dm_result result = find_nodes(env, query, bodies, &found);
+    if (result == DM_OK && (pivots == NULL || kinds == NULL))
+        result = dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_asset_create: no memory for the pivots of parts");
+    if (result == DM_OK) result = judge_pivots(env, query, nodes, kinds);
     for (uint32_t i = 0; i < bodies->count && result == DM_OK; i++) {
+        const uint32_t turns_at = find_pivot_node(query, &found, i);
         if (query->use_names) out_parts[i].label = make_label(query, found.largest[i]);
-        if (pivots == NULL || (query->use_names && out_parts[i].label == NULL))
+        if (query->use_names && out_parts[i].label == NULL)
             result = dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_asset_create: no memory for the names of a part");
-        else if (!lost && dmi_asset_node_pivot(&nodes[find_pivot_node(query, &found, i)], &pivots[i]))
-            out_parts[i].pivot = &pivots[i];
+        describe_pivot(&nodes[turns_at], kinds[turns_at], &pivots[i], &out_parts[i]);
     }
     return result;
 }

@@ -191,6 +191,43 @@ static void test_a_fixed_node_is_one_with_its_parent(void** state) {
 }
 
 /* A collider goes where the door goes, and changes nothing else. */
+/* Puts each node's origin at a place of its box; shares of its sides. */
+static void put_pivots(test_asset* t, dm_pivot pivots[NODES], const float share[3]) {
+    static const float size[NODES][3] = {{2, 1, 1}, {1, 1, 0.04f}, {0.02f, 0.2f, 0.02f}};
+    for (uint32_t i = 0; i < t->desc.node_count; i++) {
+        const float* m = t->transforms[i];
+        pivots[i] = (dm_pivot){
+            .origin = {m[12] + share[0] * size[i][0], m[13] + share[1] * size[i][1], m[14] + share[2] * size[i][2]},
+            .axes = {1, 0, 0, 0, 1, 0, 0, 0, 1}};
+        t->nodes[i].pivot = &pivots[i];
+    }
+}
+
+static dm_joint joint_of_door(test_asset* t) {
+    const dm_asset asset = create(t);
+    return joint_of(t, asset, part_with(t, asset, DOOR));
+}
+
+static void test_pivots_by_one_rule_say_nothing(void** state) {
+    (void)state;
+    static const float rules[][3] = {{0.5f, 0.5f, 0.5f}, {0, 0, 0}, {0.5f, 0, 0.5f}, {1, 0, 1}};
+    test_asset* t = open_cabinet();
+    dm_pivot pivots[NODES];
+    for (uint32_t i = 0; i < t->desc.node_count; i++) t->nodes[i].flags |= DM_ASSET_NODE_NO_PIVOT;
+    const dm_joint none = joint_of_door(t);
+    for (uint32_t i = 0; i < t->desc.node_count; i++) t->nodes[i].flags = 0;
+    for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
+        put_pivots(t, pivots, rules[i]);
+        const dm_joint joint = joint_of_door(t);
+        assert_same_joint(&joint, &none);
+    }
+    pivots[DOOR].origin = (dm_vec3){1, 0.2f, 1.01f}; /* on the edge at which no rule would put the hinge */
+    const dm_joint joint = joint_of_door(t);
+    assert_int_equal(joint.type, DM_JOINT_REVOLUTE);
+    assert_true(fabsf(joint.axis.y) > 0.999f && fabsf(joint.origin.x - 1) < 0.01f);
+    close_cabinet(t);
+}
+
 static void test_followers_are_no_parts(void** state) {
     (void)state;
     test_asset* t = open_cabinet();
@@ -618,6 +655,7 @@ int main(void) {
         cmocka_unit_test(test_lists_of_nodes_agree),
         cmocka_unit_test(test_a_stated_joint_is_certain),
         cmocka_unit_test(test_a_fixed_node_is_one_with_its_parent),
+        cmocka_unit_test(test_pivots_by_one_rule_say_nothing),
         cmocka_unit_test(test_followers_are_no_parts),
         cmocka_unit_test(test_mirrored_nodes_keep_their_fronts),
         cmocka_unit_test(test_parents_may_come_later),

@@ -129,6 +129,37 @@ static void pivots_at_one_point_are_lost(void** state) {
     assert_int_equal(dm_gltf_pivots_are_lost(NULL), 0);
 }
 
+/* Opens a file of nodes that have one triangle, and returns the kind of one's pivot. */
+static int32_t kind_of(const char* nodes, const char* name) {
+    static const char before[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":36}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"nodes\":[";
+    char file[1024];
+    int32_t kind = -1;
+    opened o;
+    snprintf(file, sizeof file, "%s%s]}", before, nodes);
+    open_json(&o, file);
+    assert_int_equal(dm_gltf_get_pivot_kind(o.gltf, name, &kind), DM_OK);
+    close_file(&o);
+    return kind;
+}
+
+/* Copies of one mesh stand at the same place of their boxes, whoever has put it there. */
+static void copies_of_one_mesh_are_no_rule_and_one_point_is(void** state) {
+    (void)state;
+#define LEAF(name, x) "{\"name\":\"" name "\",\"mesh\":0,\"translation\":[" x ",0,0],\"scale\":[1,2,1]},"
+    static const char apart[] = LEAF("a", "0") LEAF("b", "5") "{\"name\":\"group\",\"children\":[0,1]}";
+    static const char there[] = LEAF("a", "5") LEAF("b", "5") "{\"name\":\"group\",\"children\":[0,1]}";
+    static const char* const names[] = {"a", "b", "group"};
+#undef LEAF
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(kind_of(apart, names[i]), DM_PIVOT_UNKNOWN);
+        assert_int_equal(kind_of(there, names[i]), DM_PIVOT_DEFAULT);
+    }
+}
+
 static void unknown_nodes_and_arguments(void** state) {
     (void)state;
     opened o;
@@ -140,14 +171,22 @@ static void unknown_nodes_and_arguments(void** state) {
     assert_int_equal(dm_gltf_get_hints(o.gltf, "leaf", label, 0, &pivot), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dm_gltf_get_hints(o.gltf, NULL, NULL, 0, &pivot), DM_ERROR_INVALID_ARGUMENT);
     assert_int_equal(dm_gltf_get_hints(NULL, "leaf", NULL, 0, &pivot), DM_ERROR_INVALID_ARGUMENT);
+    int32_t kind = 0;
+    assert_int_equal(dm_gltf_get_pivot_kind(o.gltf, "drawer", &kind), DM_ERROR_NOT_FOUND);
+    assert_int_equal(dm_gltf_get_pivot_kind(o.gltf, "leaf", NULL), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(dm_gltf_get_pivot_kind(NULL, "leaf", &kind), DM_ERROR_INVALID_ARGUMENT);
     close_file(&o);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(names_from_root_to_node),      cmocka_unit_test(outer_names_give_way),
-        cmocka_unit_test(pivots_are_in_the_scene),      cmocka_unit_test(axes_that_no_float_holds_are_unknown),
-        cmocka_unit_test(pivots_at_one_point_are_lost), cmocka_unit_test(unknown_nodes_and_arguments),
+        cmocka_unit_test(names_from_root_to_node),
+        cmocka_unit_test(outer_names_give_way),
+        cmocka_unit_test(pivots_are_in_the_scene),
+        cmocka_unit_test(axes_that_no_float_holds_are_unknown),
+        cmocka_unit_test(copies_of_one_mesh_are_no_rule_and_one_point_is),
+        cmocka_unit_test(pivots_at_one_point_are_lost),
+        cmocka_unit_test(unknown_nodes_and_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

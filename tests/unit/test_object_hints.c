@@ -29,12 +29,17 @@ typedef struct asked {
     const dm_pivot* pivot;
     dm_vec3 up;
     const dm_drag_hint* drag;
+    int32_t pivot_kind;
 } asked;
 
 static dm_result prepare(test_world* w, asked what, dm_object* out) {
     const dm_mesh_desc mesh = test_shape_desc(&w->shape);
-    const dm_part_desc part = {
-        .struct_size = sizeof part, .id = 1, .drag = what.drag, .label = what.label, .pivot = what.pivot};
+    const dm_part_desc part = {.struct_size = sizeof part,
+                               .id = 1,
+                               .drag = what.drag,
+                               .label = what.label,
+                               .pivot = what.pivot,
+                               .pivot_kind = what.pivot_kind};
     const dm_object_desc desc = {.struct_size = sizeof desc,
                                  .mesh = &mesh,
                                  .parts = &part,
@@ -77,6 +82,33 @@ static void a_pivot_on_an_edge_decides_the_side(void** state) {
     assert_true(fabsf(joint.axis.y) > 0.999f);
     joint = answer(&w, (asked){.pivot = &right});
     assert_through(&joint, right.origin, 0.005f);
+    test_world_close(&w);
+}
+
+static void a_pivot_that_a_program_has_put_says_nothing(void** state) {
+    (void)state;
+    test_world w;
+    open_world(&w, DM_AXES_GLTF, 0);
+    const dm_pivot right = pivot_at(0.9f, 0.3f, 1.015f);
+    const dm_joint none = answer(&w, (asked){.label = NULL});
+    const dm_joint unset = answer(&w, (asked){.pivot = &right, .pivot_kind = DM_PIVOT_DEFAULT});
+    assert_memory_equal(&none, &unset, sizeof none);
+    test_world_close(&w);
+}
+
+/* In the middle of the plate's side: an artist may have meant it, and did where no program did it. */
+static void a_pivot_that_somebody_has_set_says_the_more(void** state) {
+    (void)state;
+    test_world w;
+    dm_object object = 0;
+    open_world(&w, DM_AXES_GLTF, 0);
+    const dm_pivot side = pivot_at(0.9f, 0.5f, 1.017f);
+    const dm_joint unknown = answer(&w, (asked){.pivot = &side});
+    const dm_joint set = answer(&w, (asked){.pivot = &side, .pivot_kind = DM_PIVOT_SET});
+    assert_through(&set, side.origin, 0.005f);
+    assert_true(set.joint_confidence > unknown.joint_confidence);
+    assert_int_equal(prepare(&w, (asked){.pivot = &side, .pivot_kind = 3}, &object), DM_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(prepare(&w, (asked){.pivot_kind = -1}, &object), DM_ERROR_INVALID_ARGUMENT);
     test_world_close(&w);
 }
 
@@ -224,6 +256,8 @@ static void older_callers_are_answered_as_before(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_pivot_on_an_edge_decides_the_side),
+        cmocka_unit_test(a_pivot_that_a_program_has_put_says_nothing),
+        cmocka_unit_test(a_pivot_that_somebody_has_set_says_the_more),
         cmocka_unit_test(hosts_of_all_axes_get_the_same),
         cmocka_unit_test(refining_keeps_the_hints),
         cmocka_unit_test(a_label_tells_drawers_from_doors),

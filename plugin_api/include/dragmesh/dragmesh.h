@@ -301,8 +301,9 @@ typedef struct dm_drag_hint {
 } dm_drag_hint;
 
 /* Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or
- * left it in the middle or at the file's origin. Leave it out where all nodes of an asset, the body's too, stand at one
- * place: its file has lost them, and an edge that happens to lie there would be taken for a hinge. */
+ * left it in the middle or at the file's origin. Leave it out, or say DM_PIVOT_DEFAULT, where all nodes of an asset, the
+ * body's too, have theirs by one rule: at one point, or at the same place of their boxes. A program has put them there,
+ * and an edge that happens to lie there would be taken for a hinge. */
 typedef struct dm_pivot {
     dm_vec3 origin; /* host object frame */
     float axes[9];  /* the node's own x, y and z axis, three numbers each, host object frame; of any length, also
@@ -319,7 +320,15 @@ typedef struct dm_part_desc {
                               by '/': file, parents, node, mesh. Names in any language that tell what it is (door, lid,
                               Hebel) count, others don't. At most DM_MAX_LABEL bytes */
     const dm_pivot* pivot; /* optional evidence */
+    int32_t pivot_kind;    /* DM_PIVOT_*: whether somebody has set the pivot */
 } dm_part_desc;
+
+/* What is known of where a pivot lies (dm_gltf_get_pivot_kind tells it of a glTF file). */
+enum {
+    DM_PIVOT_UNKNOWN = 0, /* nothing: it is judged by those of the other parts */
+    DM_PIVOT_DEFAULT = 1, /* where a program puts them all: it says nothing */
+    DM_PIVOT_SET = 2      /* the other nodes' follow a rule and it does not: somebody has set it, and it says the more */
+};
 
 /* How a part moves. */
 typedef struct dm_joint {

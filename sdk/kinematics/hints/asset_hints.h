@@ -13,6 +13,7 @@ typedef struct dmi_asset_hints {
     float up[3];     /* unit */
     bool has_pivot;  /* pivot is set */
     bool has_axes;   /* pivot_axes is set */
+    bool is_set;     /* the asset's other pivots follow a rule, and this one does not */
     bool is_default; /* the pivot lies where an export without pivots leaves it: at the file's origin */
     float pivot[3];
     float pivot_axes[3][3]; /* unit rows */

@@ -5,6 +5,7 @@
 
 #include "math/linear3.h"
 #include "math/vec3.h"
+#include "mesh/part_pivots.h"
 
 #define SAME_PLACE 1e-4f /* object sizes between pivots that are one; by hand */
 #define FARTHEST 1e3f    /* object sizes from the object's centre to a pivot that still says something; by hand */
@@ -53,8 +54,9 @@ static bool is_at_origin(const dmi_object* object, dm_vec3 host) {
     return dmi_length3(p.v) <= SAME_PLACE * dmi_frame_length_out(&object->frame);
 }
 
-static dm_result read_pivot(dmi_env* env, dmi_object* object, uint32_t id, const dm_pivot* pivot,
-                            dmi_asset_hints* out) {
+static dm_result read_pivot(dmi_env* env, dmi_object* object, const dm_part_desc* part, dmi_asset_hints* out) {
+    const dm_pivot* pivot = part->pivot;
+    const uint32_t id = part->id;
     const dmi_float3 origin = dmi_xyz(pivot->origin);
     dm_result result = check_finite(env, "the pivot's origin", id, origin.v, 3);
     if (result == DM_OK)
@@ -63,8 +65,10 @@ static dm_result read_pivot(dmi_env* env, dmi_object* object, uint32_t id, const
     dmi_frame_point_in(&object->frame, dmi_xyz_f64(pivot->origin).v, out->pivot);
     out->has_pivot = dmi_length3(out->pivot) < FARTHEST;
     if (!out->has_pivot) object->degraded |= DM_DEGRADED_HINT;
+    out->has_pivot &= part->pivot_kind != DM_PIVOT_DEFAULT;
     out->has_axes = out->has_pivot && read_axes(object, pivot->axes, out->pivot_axes);
-    out->is_default = is_at_origin(object, pivot->origin);
+    out->is_default = part->pivot_kind != DM_PIVOT_SET && is_at_origin(object, pivot->origin);
+    out->is_set = part->pivot_kind == DM_PIVOT_SET;
     return DM_OK;
 }
 
@@ -81,9 +85,41 @@ static void mark_shared(dmi_object* object) {
     }
 }
 
+/* Returns the pivots of an object's parts, one a part; NULL where there is none or it is known already whether somebody
+ * has set it. */
+static void list_pivots(const dmi_object* object, const dm_part_desc* parts, uint32_t count, const dm_pivot** out) {
+    for (uint32_t i = 0; i < object->part_count; i++) out[i] = NULL;
+    for (uint32_t i = 0; i < count; i++) {
+        const int32_t index = dmi_object_find_part(object, parts[i].id);
+        if (index > 0 && parts[i].pivot_kind == DM_PIVOT_UNKNOWN && object->parts[index].asset_hints.has_pivot)
+            out[index] = parts[i].pivot;
+    }
+}
+
+/* Drops the pivots of parts that follow one rule. */
+static dm_result judge_pivots(dmi_env* env, dmi_object* object, const dm_part_desc* parts, uint32_t count) {
+    const uint32_t all = object->part_count;
+    if (all <= DMI_PIVOT_LEAST_SHAPES) return DM_OK; /* the body is one of them */
+    const size_t each = sizeof(dm_pivot*) + sizeof(dmi_pivot_gauge) + sizeof(dmi_pivot_witness);
+    dmi_pivot_gauge* gauges = dmi_alloc(env, all * each, _Alignof(dmi_pivot_gauge));
+    if (gauges == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_object_prepare: no memory for %u pivots", all);
+    dmi_pivot_witness* witnesses = (dmi_pivot_witness*)(gauges + all);
+    const dm_pivot** pivots = (const dm_pivot**)(witnesses + all);
+    list_pivots(object, parts, count, pivots);
+    dmi_part_pivots_measure(object->mesh, pivots, gauges, witnesses);
+    const bool drops = dmi_part_pivots_follow_rule(witnesses, all);
+    for (uint32_t i = 1; drops && i < all; i++)
+        if (pivots[i] != NULL) object->parts[i].asset_hints.has_pivot = false;
+    dmi_free(env, gauges, all * each);
+    return DM_OK;
+}
+
 static dm_result read_part(dmi_env* env, dmi_object* object, const dm_part_desc* part, dmi_asset_hints* out) {
     dm_result result = check_label(env, "the label of a part", part->label);
-    if (result == DM_OK && part->pivot != NULL) result = read_pivot(env, object, part->id, part->pivot, out);
+    if (result == DM_OK && (part->pivot_kind < DM_PIVOT_UNKNOWN || part->pivot_kind > DM_PIVOT_SET))
+        result = dmi_fail(env, DM_ERROR_INVALID_ARGUMENT,
+                          "dm_object_prepare: pivot_kind of part %u: %d is not DM_PIVOT_*", part->id, part->pivot_kind);
+    if (result == DM_OK && part->pivot != NULL) result = read_pivot(env, object, part, out);
     const dmi_label_kind own = result == DM_OK ? dmi_kind_of_label(part->label) : out->label;
     if (own.kind != DMI_KIND_NOTHING) out->label = own;
     return result;
@@ -102,6 +138,7 @@ dm_result dmi_object_read_hints(dmi_env* env, dmi_object* object, const dmi_obje
         const int32_t index = dmi_object_find_part(object, parts[i].id);
         if (index > 0) result = read_part(env, object, &parts[i], &object->parts[index].asset_hints);
     }
+    if (result == DM_OK) result = judge_pivots(env, object, parts, count);
     mark_shared(object);
     return result;
 }

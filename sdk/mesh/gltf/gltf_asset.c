@@ -78,8 +78,7 @@ static const char* name_or_null(const char* name) {
     return name[0] && strlen(name) <= DM_MAX_LABEL ? name : NULL;
 }
 
-static void describe_node(const dm_gltf* gltf, const dmi_gltf_asset* asset, uint32_t index, bool no_pivots,
-                          dm_pivot* pivot) {
+static void describe_node(const dm_gltf* gltf, const dmi_gltf_asset* asset, uint32_t index, dm_pivot* pivot) {
     const uint32_t file_node = asset->file_nodes[index];
     const dmi_gltf_tree_node* node = &gltf->tree[file_node];
     dm_asset_node* out = &asset->nodes[index];
@@ -89,7 +88,7 @@ static void describe_node(const dm_gltf* gltf, const dmi_gltf_asset* asset, uint
                            .name = name_or_null(node->name),
                            .mesh_name = name_or_null(dmi_gltf_mesh_name(gltf, node))};
     if (dmi_gltf_write_pivot(gltf, node->world, pivot)) out->pivot = pivot;
-    if (!out->pivot || no_pivots) out->flags |= DM_ASSET_NODE_NO_PIVOT;
+    if (!out->pivot || node->pivot_kind == DMI_PIVOT_UNSET) out->flags |= DM_ASSET_NODE_NO_PIVOT;
     if (asset->places[file_node] < index && index < gltf->node_count) {
         out->parent = asset->places[file_node];
         out->joint = &one_with_the_first;
@@ -201,8 +200,7 @@ static dm_result list(dm_gltf* gltf, dmi_gltf_asset* asset, dmi_gltf_problem* pr
     asset->nodes = dmi_gltf_push(gltf, arena, asset->count, sizeof *asset->nodes, problem);
     dm_pivot* pivots = asset->nodes ? dmi_gltf_push(gltf, arena, asset->count, sizeof *pivots, problem) : NULL;
     if (!pivots) return problem->code;
-    const bool no_pivots = dm_gltf_pivots_are_lost(gltf);
-    for (uint32_t i = 0; i < asset->count; i++) describe_node(gltf, asset, i, no_pivots, &pivots[i]);
+    for (uint32_t i = 0; i < asset->count; i++) describe_node(gltf, asset, i, &pivots[i]);
     name_meshes(gltf, asset);
     return DM_OK;
 }

@@ -6,6 +6,7 @@
 #include "dragmesh/ext/gltf.h"
 #include "mesh/gltf/gltf_document.h"
 #include "mesh/gltf/gltf_draco.h"
+#include "mesh/pivot_rule.h"
 
 /* Bytes of memory that the reader may take for a byte of the file, besides cJSON's, and what it may take in any case.
  * By hand: 309 objects that people made took 4 at most (28 November 2026), and files repeat a mesh some times over. */
@@ -39,16 +40,17 @@ typedef struct dmi_gltf_decoded {
 /* A node of the file. */
 typedef struct dmi_gltf_tree_node {
     const cJSON* json;
-    const char* name; /* "" when it has none */
-    int32_t parent;   /* -1: none */
-    int32_t named;    /* the nearest node above that has a name; -1: none */
-    int32_t mesh;     /* -1: none */
-    int32_t follows;  /* of what is not shown: the node with which it goes; -1: none */
-    uint8_t placed;   /* it hangs below a root, so that it has a place in the world */
-    uint8_t in_scene; /* the scene has it, or a level of detail of what the scene has */
-    uint8_t shown;    /* the scene has it, and it is visible, no collider and no coarser level of detail */
-    uint8_t joint;    /* a skin's */
-    double world[16]; /* node to scene, column-major */
+    const char* name;   /* "" when it has none */
+    int32_t parent;     /* -1: none */
+    int32_t named;      /* the nearest node above that has a name; -1: none */
+    int32_t mesh;       /* -1: none */
+    int32_t follows;    /* of what is not shown: the node with which it goes; -1: none */
+    uint8_t placed;     /* it hangs below a root, so that it has a place in the world */
+    uint8_t in_scene;   /* the scene has it, or a level of detail of what the scene has */
+    uint8_t shown;      /* the scene has it, and it is visible, no collider and no coarser level of detail */
+    uint8_t joint;      /* a skin's */
+    uint8_t pivot_kind; /* dmi_pivot_kind */
+    double world[16];   /* node to scene, column-major */
 } dmi_gltf_tree_node;
 
 typedef struct dmi_gltf_name {

@@ -8,6 +8,7 @@
 #include "base/fp_environment.h"
 #include "mesh/gltf/gltf_matrix.h"
 #include "mesh/gltf/gltf_names.h"
+#include "mesh/gltf/gltf_pivots.h"
 
 enum { COLUMN = DMI_GLTF_COLUMN, ORIGIN = DMI_GLTF_ORIGIN };
 
@@ -61,6 +62,15 @@ bool dmi_gltf_write_pivot(const dm_gltf* gltf, const double world[16], dm_pivot*
 
 int32_t dm_gltf_pivots_are_lost(const dm_gltf* gltf) {
     return gltf && gltf->pivots_are_lost;
+}
+
+dm_result dm_gltf_get_pivot_kind(const dm_gltf* gltf, const char* name, int32_t* out_kind) {
+    DMI_OWN_FP;
+    if (!gltf || !name || !out_kind) return DM_ERROR_INVALID_ARGUMENT;
+    const dmi_gltf_namesakes found = dmi_gltf_find_nodes(gltf, name);
+    if (found.count == 0 || !gltf->tree[found.first->node].placed) return DM_ERROR_NOT_FOUND;
+    *out_kind = dmi_gltf_pivot_kind(gltf, found.first->node);
+    return DM_OK;
 }
 
 dm_result dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_label, size_t label_size,

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "mesh/gltf/gltf_instance.h"
+#include "mesh/gltf/gltf_pivots.h"
 #include "mesh/gltf/gltf_skin.h"
 
 /* An object this many times its size away from the scene's origin gets an origin of its own: a float there holds a
@@ -178,16 +179,6 @@ static dm_result find_carriers(dm_gltf* gltf, dmi_gltf_problem* problem) {
     return DM_OK;
 }
 
-/* Whether several nodes all have their pivots in one place, as a tool leaves them that applies the transforms. */
-static uint8_t have_one_pivot(const dm_gltf* gltf) {
-    for (uint32_t i = 1; i < gltf->node_count; i++) {
-        const double *first = gltf->tree[gltf->nodes[0].node].world, *here = gltf->tree[gltf->nodes[i].node].world;
-        for (int row = 12; row < 15; row++)
-            if (here[row] != first[row]) return 0;
-    }
-    return gltf->node_count > 1;
-}
-
 static dm_result merge(merger* m, dmi_gltf_problem* problem) {
     dm_gltf* gltf = m->gltf;
     const uint32_t nodes = gltf->document.counts[DMI_GLTF_NODES];
@@ -214,7 +205,7 @@ static dm_result merge(merger* m, dmi_gltf_problem* problem) {
         const float done = SHAPES_BUILT + (1 - SHAPES_BUILT) * (float)i / (float)m->instance_count;
         if (result == DM_OK) result = dmi_gltf_tell(gltf, done, 1, problem);
     }
-    gltf->pivots_are_lost = have_one_pivot(gltf);
+    if (result == DM_OK) result = dmi_gltf_judge_pivots(gltf, problem);
     return result == DM_OK ? find_carriers(gltf, problem) : result;
 }
 

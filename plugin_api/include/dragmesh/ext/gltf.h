@@ -128,9 +128,16 @@ DM_API dm_result DM_CALL dm_gltf_get_asset(dm_gltf* gltf, uint32_t flags, const 
 /* The index in the file's nodes array of a node of that list. Errors: those, NOT_FOUND. */
 DM_API dm_result DM_CALL dm_gltf_get_asset_node(dm_gltf* gltf, uint32_t index, uint32_t* out_node);
 
-/* 1 when pivots tell nothing: the file has several dm_gltf_nodes, and the origins of all are one point, as exporters
- * leave them that apply the transforms to the vertices. 0: they may tell, or gltf is NULL. */
+/* 1 when pivots tell nothing: the file has several dm_gltf_nodes, and the origins of all follow one rule, as exporters
+ * leave them: they are one point, or lie at the same place of each node's box (middle, lowest corner, middle of a face
+ * …). 0: some may tell, or gltf is NULL. */
 DM_API int32_t DM_CALL dm_gltf_pivots_are_lost(const dm_gltf* gltf);
+
+/* Writes what is known of where a node's pivot lies (DM_PIVOT_*), for dm_part_desc.pivot_kind. A rule holds where the
+ * node with the largest surface and more than half of all follow it: DM_PIVOT_DEFAULT is the answer for what follows
+ * it, DM_PIVOT_SET for the others. DM_PIVOT_UNKNOWN: no rule holds, or the node has no triangles. name: as for
+ * dm_gltf_get_hints. Errors: NOT_FOUND. */
+DM_API dm_result DM_CALL dm_gltf_get_pivot_kind(const dm_gltf* gltf, const char* name, int32_t* out_kind);
 
 /* 1 when triangles of the file are not in the merged mesh: a triangle, a primitive or a node could not be read, or only
  * one of its instances was. Warnings of dm_gltf_open name them. Pass DM_PREPARE_MESH_INCOMPLETE then. 0: all are there,
