@@ -113,6 +113,62 @@ static void words_of_many_languages_and_misspelt_ones(void** state) {
     assert_kind("dwraer", DMI_KIND_NOTHING, 0); /* two letters are wrong */
 }
 
+/* ---- modifiers ---- */
+
+#define BIT(name) (1u << DMI_MODIFIER_##name)
+
+/* All modifiers that count of a label's kind. */
+static uint32_t modifiers_of(const char* label) {
+    const dmi_label_kind found = dmi_kind_of_label(label);
+    const dmi_label_modifiers count = dmi_modifiers_that_count(found.kind, found.modifiers);
+    return count.own | count.above;
+}
+
+static void modifiers_count_in_any_order(void** state) {
+    (void)state;
+    static const char* const sliding[] = {"sliding_door",     "Door_Sliding", "SM_Door_A_Sliding_01",
+                                          "DoorSliding/Cube", "sliding/door", "Schiebet\xC3\xBCr"};
+    for (size_t i = 0; i < sizeof sliding / sizeof *sliding; i++) {
+        assert_int_equal(dmi_kind_of_label(sliding[i]).kind, DMI_KIND_SLIDING_DOOR);
+        assert_true(modifiers_of(sliding[i]) & BIT(SLIDING));
+    }
+    assert_int_equal(modifiers_of("garage_door"), BIT(GARAGE));
+    assert_int_equal(modifiers_of("Garage/Door.001"), BIT(GARAGE));
+    assert_int_equal(modifiers_of("roller_door"), BIT(ROLLING));
+    assert_int_equal(modifiers_of("elevator_door"), BIT(ELEVATOR));
+    assert_int_equal(modifiers_of("barn_door"), BIT(BARN));
+    assert_int_equal(modifiers_of("door_folding"), BIT(FOLDING));
+    assert_int_equal(modifiers_of("Door"), 0);
+    assert_int_equal(dmi_kind_of_label("HatchDoor").kind, DMI_KIND_TRAPDOOR);
+}
+
+static void a_noun_may_stand_behind_a_modifier_in_one_word(void** state) {
+    (void)state;
+    assert_kind("Garagentor", DMI_KIND_GATE, 0);
+    assert_int_equal(modifiers_of("Garagentor"), BIT(GARAGE));
+    assert_kind("rolltor", DMI_KIND_GATE, 0);
+    assert_int_equal(modifiers_of("rolltor"), BIT(ROLLING));
+    assert_kind("Faltt\xC3\xBCr", DMI_KIND_DOOR, 0);
+    assert_int_equal(modifiers_of("Faltt\xC3\xBCr"), BIT(FOLDING));
+}
+
+static void modifiers_mean_something_of_leaves_alone(void** state) {
+    (void)state;
+    assert_int_equal(modifiers_of("roller"), 0);
+    assert_int_equal(modifiers_of("garage_wheel_left"), 0);
+    assert_int_equal(modifiers_of("sliding_knob"), 0);
+    assert_int_equal(modifiers_of("garage/Cube"), 0);
+    assert_int_equal(modifiers_of(NULL), 0);
+}
+
+static void sides_of_a_pair_count_once(void** state) {
+    (void)state;
+    assert_int_equal(modifiers_of("door_L"), BIT(LEFT));
+    assert_int_equal(modifiers_of("FrontDoor_R"), BIT(RIGHT));
+    assert_int_equal(modifiers_of("left/door_R"), BIT(RIGHT)); /* the nearer name */
+    assert_int_equal(modifiers_of("door_left_right"), 0);
+}
+
 /* ---- pivots ---- */
 
 static test_shape shape;
@@ -283,6 +339,33 @@ static void a_name_tells_slides_from_turns_where_no_drag_does(void** state) {
     assert_float_equal(slides_of("button/Cube", NULL), slides_of("button/Cube", &drag), 1e-6f); /* of what carries it */
 }
 
+/* The probability of all candidates of a type whose axis is upright or level, after a name has weighed even ones. */
+static float share_of(const char* label, int32_t type, bool upright) {
+    const dmi_asset_hints hints = {.up = {0, 0, 1}, .label = dmi_kind_of_label(label)}; /* the plate stands upright */
+    const uint32_t count = make_even(&hints);
+    float sum = 0;
+    dmi_hints_weigh(&hints, &lid.of_part, NULL, candidates, count, probability);
+    for (uint32_t i = 0; i < count; i++) {
+        const float rise = fabsf(candidates[i].axis[2]);
+        if (candidates[i].type == type && (upright ? rise > 0.95f : rise < 0.3f)) sum += probability[i];
+    }
+    return sum;
+}
+
+static void modifiers_tell_the_mechanism(void** state) {
+    (void)state;
+    static const char* const sliding[] = {"sliding_door", "barn_door", "elevator_door"};
+    for (int i = 0; i < 3; i++)
+        assert_true(share_of(sliding[i], DM_JOINT_PRISMATIC, false) > 2 * share_of("door", DM_JOINT_PRISMATIC, false));
+    assert_true(share_of("roller_door", DM_JOINT_PRISMATIC, true) > 2 * share_of("door", DM_JOINT_PRISMATIC, true));
+    assert_true(share_of("garage_door", DM_JOINT_REVOLUTE, true) < share_of("door", DM_JOINT_REVOLUTE, true) / 2);
+    assert_true(share_of("garage/door", DM_JOINT_REVOLUTE, true) < share_of("door", DM_JOINT_REVOLUTE, true));
+    assert_true(share_of("casement", DM_JOINT_REVOLUTE, true) > share_of("window", DM_JOINT_REVOLUTE, true));
+    assert_true(share_of("window_sash", DM_JOINT_PRISMATIC, false) < share_of("window", DM_JOINT_PRISMATIC, false));
+    assert_true(share_of("pane", DM_JOINT_PRISMATIC, false) < share_of("window", DM_JOINT_PRISMATIC, false));
+    assert_true(share_of("door_L", DM_JOINT_REVOLUTE, true) > share_of("door", DM_JOINT_REVOLUTE, true));
+}
+
 static void candidates_through_a_pivot_are_added_once(void** state) {
     (void)state;
     const dmi_asset_hints hints = pivot_at(0.13, 0.431, 0.07); /* on no line of the shape */
@@ -314,6 +397,11 @@ int main(void) {
         cmocka_unit_test(the_last_noun_counts),
         cmocka_unit_test(a_part_goes_before_what_carries_it),
         cmocka_unit_test(words_of_many_languages_and_misspelt_ones),
+        cmocka_unit_test(modifiers_count_in_any_order),
+        cmocka_unit_test(a_noun_may_stand_behind_a_modifier_in_one_word),
+        cmocka_unit_test(modifiers_mean_something_of_leaves_alone),
+        cmocka_unit_test(sides_of_a_pair_count_once),
+        cmocka_unit_test(modifiers_tell_the_mechanism),
         cmocka_unit_test(places_of_pivots_in_a_plate),
         cmocka_unit_test(pivot_features_tell_lines_through_it),
         cmocka_unit_test(pivot_features_tell_lines_through_the_middle_too),

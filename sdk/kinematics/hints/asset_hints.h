@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "kinematics/hints/part_kind.h"
+#include "kinematics/hints/modifier_priors.h"
 
 /* In the object-normalised frame. Zeros: the asset says nothing. */
 typedef struct dmi_asset_hints {
@@ -21,7 +21,9 @@ typedef struct dmi_asset_hints {
 
 /* Returns whether the hints say nothing. hints NULL: true. */
 static inline bool dmi_asset_hints_are_empty(const dmi_asset_hints* hints) {
-    return hints == NULL || (hints->label.kind == DMI_KIND_NOTHING && !hints->has_pivot);
+    if (hints == NULL) return true;
+    const dmi_label_modifiers say = dmi_modifiers_that_count(hints->label.kind, hints->label.modifiers);
+    return hints->label.kind == DMI_KIND_NOTHING && !hints->has_pivot && (say.own | say.above) == 0;
 }
 
 #endif

@@ -11,6 +11,9 @@
  * which 0.28 were left where a program had put them (training/lab/hint_draw.c); these are not among them. By hand. */
 #define SET_TRUST 1.25f
 
+/* Factor of what modifiers say where a drag says how the part moves; by hand. */
+#define WITH_DRAG 0.5f
+
 /* Weights by kind: a row for each kind of kinds.def. */
 static const float kind_weights[DMI_KIND_COUNT][DMI_KIND_FEATURES] = {
 #define KIND_WEIGHTS(kind, ...) [DMI_KIND_##kind] = {__VA_ARGS__},
@@ -45,14 +48,16 @@ uint32_t dmi_hints_add_candidates(const dmi_asset_hints* hints, const dmi_part_a
 
 static float label_likelihood(const dmi_hint_frame* frame, const dmi_candidate* candidate, bool has_drag) {
     const dmi_label_kind label = frame->hints->label;
-    if (label.kind == DMI_KIND_NOTHING) return 0;
+    const dmi_label_modifiers modifiers = dmi_modifiers_that_count(label.kind, label.modifiers);
     const uint32_t bits = dmi_kind_features(frame, candidate);
+    const float words = dmi_modifier_likelihood(modifiers, bits, label_trust[1]) * (has_drag ? WITH_DRAG : 1);
+    if (label.kind == DMI_KIND_NOTHING) return words;
     float sum = 0;
     for (int i = 0; i < DMI_KIND_FEATURES; i++)
         if (bits >> i & 1) sum += kind_weights[label.kind][i];
-    sum *= label_trust[label.depth > 0];
+    sum = sum * label_trust[label.depth > 0] + words;
     const bool tells_type = !has_drag && label.depth == 0 && candidate->type == DM_JOINT_PRISMATIC;
-    return tells_type ? sum + kind_slides[label.kind] : sum;
+    return tells_type ? sum + kind_slides[label.kind] + dmi_slide_by_definition(label.kind) : sum;
 }
 
 static float pivot_likelihood(const dmi_hint_frame* frame, const dmi_candidate* candidate) {

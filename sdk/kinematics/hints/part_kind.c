@@ -85,6 +85,23 @@ static dmi_part_kind find_pair(const char* first, const char* second) {
     return found.match <= MATCH_PLURAL ? found.kind : DMI_KIND_NOTHING;
 }
 
+/* Finds the noun behind a modifier in one word, "rolltor". */
+static dmi_part_kind find_behind_modifier(const char* word) {
+    const char* noun;
+    if (dmi_modifiers_of_word(word, &noun) == 0 || noun == NULL) return DMI_KIND_NOTHING;
+    const finding found = find_word(noun);
+    return found.match <= MATCH_PLURAL ? found.kind : DMI_KIND_NOTHING;
+}
+
+/* Finds the kind of a word: that of the word itself or, where this is but like one of the lexicon, of the noun behind a
+ * modifier. */
+static dmi_part_kind kind_of_word(const char* word) {
+    const finding found = find_word(word);
+    if (found.match <= MATCH_PLURAL) return found.kind;
+    const dmi_part_kind noun = find_behind_modifier(word);
+    return noun != DMI_KIND_NOTHING ? noun : found.kind;
+}
+
 /* Finds the kind that one name tells. The last word counts, as the noun of a compound; a part's word goes before an
  * object's. */
 static dmi_part_kind find_in_name(const char* name, size_t length, int group) {
@@ -92,27 +109,36 @@ static dmi_part_kind find_in_name(const char* name, size_t length, int group) {
     dmi_split_label(name, length, &split);
     for (size_t i = split.count; i-- > 0;) {
         dmi_part_kind kind = i > 0 ? find_pair(split.words[i - 1], split.words[i]) : DMI_KIND_NOTHING;
-        if (kind == DMI_KIND_NOTHING) kind = find_word(split.words[i]).kind;
+        if (kind == DMI_KIND_NOTHING) kind = kind_of_word(split.words[i]);
         if (kind != DMI_KIND_NOTHING && lexicon[kind].group == group) return kind;
     }
     return DMI_KIND_NOTHING;
 }
 
-dmi_label_kind dmi_kind_of_label(const char* label) {
-    const dmi_label_kind nothing = {DMI_KIND_NOTHING, 0};
-    if (label == NULL) return nothing;
+/* Finds the kind and how deep the name is that tells it. */
+static dmi_label_kind find_in_label(const char* label) {
     for (int group = GROUP_PART; group >= GROUP_OBJECT; group--) {
         const char* end = label + strlen(label);
         for (uint32_t depth = 0;; depth++) {
             const char* name = end;
             while (name > label && name[-1] != '/') name--;
             const dmi_part_kind kind = find_in_name(name, (size_t)(end - name), group);
-            if (kind != DMI_KIND_NOTHING) return (dmi_label_kind){kind, depth};
+            if (kind != DMI_KIND_NOTHING) return (dmi_label_kind){.kind = kind, .depth = depth};
             if (name == label) break;
             end = name - 1;
         }
     }
-    return nothing;
+    return (dmi_label_kind){.kind = DMI_KIND_NOTHING};
+}
+
+dmi_label_kind dmi_kind_of_label(const char* label) {
+    if (label == NULL) return (dmi_label_kind){.kind = DMI_KIND_NOTHING};
+    dmi_label_kind found = find_in_label(label);
+    found.modifiers = dmi_modifiers_of_label(label);
+    const uint32_t all = found.modifiers.own | found.modifiers.above;
+    if (found.kind == DMI_KIND_DOOR && all >> DMI_MODIFIER_SLIDING & 1) found.kind = DMI_KIND_SLIDING_DOOR;
+    if (found.kind == DMI_KIND_DOOR && found.modifiers.own >> DMI_MODIFIER_HATCH & 1) found.kind = DMI_KIND_TRAPDOOR;
+    return found;
 }
 
 const char* dmi_kind_name(dmi_part_kind kind) {

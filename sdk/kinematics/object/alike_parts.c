@@ -111,7 +111,9 @@ static void measure(const search* s, uint32_t part, look* out) {
 
 static bool same_hints(const dmi_object_part* a, const dmi_object_part* b) {
     return a->given_type == b->given_type && a->asset_hints.label.kind == b->asset_hints.label.kind &&
-           a->asset_hints.label.depth == b->asset_hints.label.depth;
+           a->asset_hints.label.depth == b->asset_hints.label.depth &&
+           a->asset_hints.label.modifiers.own == b->asset_hints.label.modifiers.own &&
+           a->asset_hints.label.modifiers.above == b->asset_hints.label.modifiers.above;
 }
 
 static bool same_shape(const search* s, const look* a, const look* b) {

@@ -114,6 +114,13 @@ static dm_result judge_pivots(dmi_env* env, dmi_object* object, const dm_part_de
     return DM_OK;
 }
 
+/* Puts what a part's label says before what is said of the whole object. */
+static void join_labels(dmi_label_kind own, dmi_label_kind* inout) {
+    own.modifiers.above |= inout->modifiers.above;
+    if (own.kind == DMI_KIND_NOTHING) own.kind = inout->kind, own.depth = inout->depth;
+    *inout = own;
+}
+
 static dm_result read_part(dmi_env* env, dmi_object* object, const dm_part_desc* part, dmi_asset_hints* out) {
     dm_result result = check_label(env, "the label of a part", part->label);
     if (result == DM_OK && (part->pivot_kind < DM_PIVOT_UNKNOWN || part->pivot_kind > DM_PIVOT_SET))
@@ -121,18 +128,19 @@ static dm_result read_part(dmi_env* env, dmi_object* object, const dm_part_desc*
                           "dm_object_prepare: pivot_kind of part %u: %d is not DM_PIVOT_*", part->id, part->pivot_kind);
     if (result == DM_OK && part->pivot != NULL) result = read_pivot(env, object, part, out);
     const dmi_label_kind own = result == DM_OK ? dmi_kind_of_label(part->label) : out->label;
-    if (own.kind != DMI_KIND_NOTHING) out->label = own;
+    if (result == DM_OK && part->label != NULL) join_labels(own, &out->label);
     return result;
 }
 
 dm_result dmi_object_read_hints(dmi_env* env, dmi_object* object, const dmi_object_labels* labels,
                                 const dm_part_desc* parts, uint32_t count) {
-    dmi_asset_hints common = {.label = {DMI_KIND_NOTHING, 0}};
+    dmi_asset_hints common = {.label = {.kind = DMI_KIND_NOTHING}};
     dm_result result = check_label(env, "desc.label", labels->label);
     if (result == DM_OK) result = read_up(env, object, labels->up, common.up);
     if (result != DM_OK) return result;
     common.label = dmi_kind_of_label(labels->label);
     common.label.depth++;
+    common.label.modifiers = (dmi_label_modifiers){0, common.label.modifiers.own | common.label.modifiers.above};
     for (uint32_t i = 1; i < object->part_count; i++) object->parts[i].asset_hints = common;
     for (uint32_t i = 0; i < count && result == DM_OK; i++) {
         const int32_t index = dmi_object_find_part(object, parts[i].id);
