@@ -109,10 +109,10 @@ static dm_joint own_joint(const dmi_object* object, uint32_t index) {
 
 /* Whether two joints are the same motion, bit for bit; confidences and source aside. */
 static bool same_motion(const dm_joint* a, const dm_joint* b) {
-    const float x[9] = {a->axis.x,   a->axis.y, a->axis.z, a->origin.x, a->origin.y,
-                        a->origin.z, a->pitch,  a->lower,  a->upper};
-    const float y[9] = {b->axis.x,   b->axis.y, b->axis.z, b->origin.x, b->origin.y,
-                        b->origin.z, b->pitch,  b->lower,  b->upper};
+    const float x[10] = {a->axis.x,   a->axis.y, a->axis.z, a->origin.x, a->origin.y,
+                         a->origin.z, a->pitch,  a->lower,  a->upper,    a->closed};
+    const float y[10] = {b->axis.x,   b->axis.y, b->axis.z, b->origin.x, b->origin.y,
+                         b->origin.z, b->pitch,  b->lower,  b->upper,    b->closed};
     /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bits are what is asked */
     return a->type == b->type && memcmp(x, y, sizeof x) == 0;
 }

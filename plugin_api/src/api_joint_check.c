@@ -26,7 +26,7 @@ static const struct {
 } numbers[] = {{".axis.x", offsetof(dm_joint, axis.x)},     {".axis.y", offsetof(dm_joint, axis.y)},
                {".axis.z", offsetof(dm_joint, axis.z)},     {".origin.x", offsetof(dm_joint, origin.x)},
                {".origin.y", offsetof(dm_joint, origin.y)}, {".origin.z", offsetof(dm_joint, origin.z)},
-               {".pitch", offsetof(dm_joint, pitch)}};
+               {".pitch", offsetof(dm_joint, pitch)},       {".closed", offsetof(dm_joint, closed)}};
 enum { NUMBERS = sizeof numbers / sizeof numbers[0] };
 
 dm_result dmi_joint_read(dmi_env* env, const char* what, const dm_joint* joint, dm_joint* out) {
@@ -115,7 +115,12 @@ dm_result dmi_joint_accept(dmi_env* env, const char* what, float size, dm_joint*
     if (result == DM_OK) result = dmi_joint_accept_axis(env, what, joint);
     if (result != DM_OK) return result;
     if (joint->type != DM_JOINT_SCREW) joint->pitch = 0;
-    if (has_value_limits(joint->type)) return accept_limits(env, what, size, joint);
+    if (has_value_limits(joint->type)) {
+        result = accept_limits(env, what, size, joint);
+        joint->closed = dmi_joint_has_limits(joint) ? dmi_joint_closed(joint) : 0;
+        return result;
+    }
+    joint->closed = 0;
     /* Where there are no limits, hosts leave anything, often infinities; what a drag gave stays as it is. */
     const bool harmless =
         joint->lower <= joint->upper && joint->lower > -DMI_UNLIMITED_TURN && joint->upper < DMI_UNLIMITED_TURN;

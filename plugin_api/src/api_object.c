@@ -44,6 +44,8 @@ static dm_result read_parts(dmi_env* env, const dm_object_desc* desc, dm_part_de
         snprintf(what, sizeof what, "dm_object_prepare: desc.parts[%u]", i);
         /* NOLINTNEXTLINE(bugprone-sizeof-expression): the field is a pointer */
         dm_result result = dmi_read_desc(env, what, next, DMI_FIRST_SIZE(dm_part_desc, drag), sizeof *out, &out[i]);
+        if (result == DM_OK && out[i].reserved != 0)
+            result = dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.reserved is %u: it must be 0", what, out[i].reserved);
         if (result != DM_OK) return result;
         if (out[i].struct_size != step) {
             return dmi_fail(env, DM_ERROR_STRUCT_SIZE, "%s.struct_size is %u, but that of the first part is %u", what,

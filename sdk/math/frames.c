@@ -206,6 +206,7 @@ static void convert_numbers(dm_joint* joint, float handedness, float scale) {
     if (joint->type == DM_JOINT_PRISMATIC) {
         joint->lower *= scale;
         joint->upper *= scale;
+        joint->closed *= scale;
     }
 }
 

@@ -14,6 +14,11 @@ float dmi_joint_open_end(const dm_joint* joint) {
     return joint->upper - rest >= rest - joint->lower ? joint->upper : joint->lower;
 }
 
+float dmi_joint_opened(const dm_joint* joint) {
+    const float closed = dmi_joint_closed(joint);
+    return joint->upper - closed >= closed - joint->lower ? joint->upper : joint->lower;
+}
+
 /* Returns the length that a screw advances a radian; 0 for other joints. */
 static float advance(const dm_joint* joint) {
     return joint->type == DM_JOINT_SCREW ? joint->pitch : 0;
@@ -52,6 +57,7 @@ void dmi_joint_reverse(dm_joint* joint) {
     const float lower = joint->lower;
     joint->axis = (dm_vec3){-joint->axis.x, -joint->axis.y, -joint->axis.z};
     joint->lower = -joint->upper, joint->upper = -lower;
+    joint->closed = 0 - joint->closed; /* 0 keeps its sign */
 }
 
 void dmi_joint_move(const dm_joint* joint, float value, const float rest_point[3], float out[3]) {

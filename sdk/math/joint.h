@@ -56,6 +56,12 @@ void dmi_joint_velocity(const dm_joint* joint, float value, const float rest_poi
 void dmi_joint_reverse(dm_joint* joint);
 /* Returns the limit that is farther from rest, the upper one of two alike. The joint has limits. */
 float dmi_joint_open_end(const dm_joint* joint);
+/* Returns the value at which the part is closed, inside the limits. */
+static inline float dmi_joint_closed(const dm_joint* joint) {
+    return dmi_joint_clamp(joint, joint->closed);
+}
+/* Returns the limit that is farther from where the part is closed, the upper one of two alike. The joint has limits. */
+float dmi_joint_opened(const dm_joint* joint);
 /* Moves the origin along the axis line to the point nearest `centre`. */
 void dmi_joint_set_origin_near(dm_joint* joint, const float centre[3]);
 

@@ -74,7 +74,8 @@ static void move_limits(dmi_drag* drag, float value) {
 static float target_at(dmi_drag* drag, float pointer_value) {
     const float asked = drag->rules.on ? dmi_snaps_pull(&drag->rules.snaps, pointer_value) : pointer_value;
     if (!drag->limits_are_estimates) return dmi_feel_target(&drag->feel, &drag->joint, asked);
-    const float target = dmi_feel_soft_target(&drag->feel, drag->estimated_lower, drag->estimated_upper, asked);
+    const float target = dmi_feel_soft_target(&drag->feel, dmi_joint_closed(&drag->joint), drag->estimated_lower,
+                                              drag->estimated_upper, asked);
     const float kept = dmi_fminf(dmi_fmaxf(target, drag->reachable_lower), drag->reachable_upper);
     if (drag->rules.on && dmi_latch_holds(&drag->latch)) return kept;
     move_limits(drag, kept);
@@ -82,8 +83,9 @@ static float target_at(dmi_drag* drag, float pointer_value) {
 }
 
 float dmi_drag_pointer_value(const dmi_drag* drag, float value) {
-    const float unsnapped = drag->limits_are_estimates ? dmi_feel_soft_pointer_value(&drag->feel, value)
-                                                       : dmi_feel_pointer_value(&drag->feel, &drag->joint, value);
+    const float unsnapped = drag->limits_are_estimates
+                                ? dmi_feel_soft_pointer_value(&drag->feel, dmi_joint_closed(&drag->joint), value)
+                                : dmi_feel_pointer_value(&drag->feel, &drag->joint, value);
     return dmi_snaps_invert(&drag->rules.snaps, unsnapped);
 }
 
@@ -311,6 +313,15 @@ static int32_t limit_at(const dm_joint* joint, float value) {
     return value >= joint->upper - tolerance ? 1 : value <= joint->lower + tolerance ? -1 : 0;
 }
 
+/* The limits count as they were found: a pull beyond them moves them along. */
+static float open_share(const dmi_drag* drag) {
+    dm_joint joint = drag->joint;
+    if (drag->limits_are_estimates) joint.lower = drag->estimated_lower, joint.upper = drag->estimated_upper;
+    if (!dmi_joint_has_limits(&joint)) return 0;
+    const float closed = dmi_joint_closed(&joint), way = dmi_joint_opened(&joint) - closed;
+    return dmi_clamp((drag->value - closed) / way, 0, 1);
+}
+
 void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state) {
     const dm_pose pose = shown_pose(drag);
     float grab[3];
@@ -327,6 +338,7 @@ void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state) {
     out_state->impact = 0;
     out_state->status = dmi_drag_status(drag);
     out_state->joint_confidence = drag->tracker.round > 0 ? drag->tracker.confidence : drag->first_confidence;
+    out_state->open_share = open_share(drag);
     out_state->joint_basis = drag->changes > 0 ? DM_BASIS_PULL : drag->basis;
 }
 

@@ -133,7 +133,7 @@ static float open_range(const dmi_drag* drag) {
     dm_joint joint = drag->joint;
     if (drag->limits_are_estimates) joint.lower = drag->estimated_lower, joint.upper = drag->estimated_upper;
     const float range = dmi_rules_range(&drag->rules, &joint);
-    return dmi_joint_has_limits(&joint) && dmi_joint_open_end(&joint) == joint.lower ? -range : range;
+    return dmi_joint_has_limits(&joint) && dmi_joint_opened(&joint) == joint.lower ? -range : range;
 }
 
 static float clamp_to_span(dmi_span span, float value) {

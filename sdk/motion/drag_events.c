@@ -22,20 +22,24 @@ static int32_t limit_at(const dmi_event_input* now, int32_t was) {
 }
 
 static float share_from_rest(const dmi_event_input* now) {
+    return dmi_rules_share_from_rest(now->rules, now->joint, now->value);
+}
+
+static float share_open(const dmi_event_input* now) {
     return dmi_rules_share(now->rules, now->joint, now->value);
 }
 
 /* Returns where the value lies among the detents or snap values, whose places are the integers. */
 static float place_of(const dmi_event_input* now) {
     if (now->rules->snaps.count > 0) return dmi_snaps_place(&now->rules->snaps, now->value);
-    return now->feel->detent > 0 ? now->value / now->feel->detent : 0;
+    return now->feel->detent > 0 ? (now->value - dmi_joint_closed(now->joint)) / now->feel->detent : 0;
 }
 
 dmi_event_state dmi_event_state_begin(const dmi_event_input* now) {
     dmi_event_state state = {.blocked = now->blocked, .changes = now->changes, .since_opening = INFINITY};
     state.limit = limit_at(now, 0);
     state.away = share_from_rest(now) > NEAR_SHARE;
-    state.open = share_from_rest(now) > now->rules->closed_share;
+    state.open = share_open(now) > now->rules->closed_share;
     state.catch_index = roundf(place_of(now));
     return state;
 }
@@ -54,7 +58,7 @@ static void find_rest_events(dmi_event_state* state, const dmi_event_input* now)
     const bool was_away = state->away;
     state->away = share > (was_away ? NEAR_SHARE : FAR_SHARE);
     if (state->away != was_away) state->events |= was_away ? DM_EVENT_REACHED_REST : DM_EVENT_LEFT_REST;
-    const bool open = share > (state->open ? now->rules->closed_share : now->rules->open_share);
+    const bool open = share_open(now) > (state->open ? now->rules->closed_share : now->rules->open_share);
     if (open == state->open || state->since_opening < now->rules->event_time) return;
     state->open = open;
     state->since_opening = 0;

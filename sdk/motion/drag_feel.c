@@ -44,19 +44,19 @@ float dmi_feel_detent_pull(const dm_drag_feel* feel) {
 }
 
 /* Moves a value towards the nearest detent; monotone, with the least slope at the detents. */
-static float pull_to_detent(const dm_drag_feel* feel, float value) {
+static float pull_to_detent(const dm_drag_feel* feel, float closed, float value) {
     if (!(feel->detent > 0)) return value;
-    const float place = value / feel->detent, turns = place - roundf(place);
+    const float place = (value - closed) / feel->detent, turns = place - roundf(place);
     return value - dmi_feel_detent_pull(feel) * feel->detent / DMI_TWO_PI_F * dmi_sinf(DMI_TWO_PI_F * turns);
 }
 
 /* Inverse of pull_to_detent, by bisection. */
-static float invert_detents(const dm_drag_feel* feel, float target) {
+static float invert_detents(const dm_drag_feel* feel, float closed, float target) {
     if (!(feel->detent > 0)) return target;
     float low = target - feel->detent, high = target + feel->detent;
     for (int i = 0; i < BISECTIONS; i++) {
         const float middle = 0.5f * (low + high);
-        if (pull_to_detent(feel, middle) < target)
+        if (pull_to_detent(feel, closed, middle) < target)
             low = middle;
         else
             high = middle;
@@ -65,7 +65,8 @@ static float invert_detents(const dm_drag_feel* feel, float target) {
 }
 
 float dmi_feel_target(const dm_drag_feel* feel, const dm_joint* joint, float pointer_value) {
-    return dmi_joint_clamp(joint, map_ends(feel, joint, pull_to_detent(feel, pointer_value), soften_end));
+    return dmi_joint_clamp(
+        joint, map_ends(feel, joint, pull_to_detent(feel, dmi_joint_closed(joint), pointer_value), soften_end));
 }
 
 /* Dead zone of one width; the map returns to the identity at three widths. */
@@ -73,24 +74,25 @@ static float dead_zone(float beyond, float width) {
     return beyond >= 3 * width ? beyond : 1.5f * dmi_fmaxf(beyond - width, 0);
 }
 
-float dmi_feel_soft_target(const dm_drag_feel* feel, float lower, float upper, float pointer_value) {
-    const float width = DEAD_ZONE * (upper - lower), asked = pull_to_detent(feel, pointer_value);
+float dmi_feel_soft_target(const dm_drag_feel* feel, float closed, float lower, float upper, float pointer_value) {
+    const float width = DEAD_ZONE * (upper - lower), asked = pull_to_detent(feel, closed, pointer_value);
     if (asked > upper) return upper + dead_zone(asked - upper, width);
     if (asked < lower) return lower - dead_zone(lower - asked, width);
     return asked;
 }
 
 float dmi_feel_pointer_value(const dm_drag_feel* feel, const dm_joint* joint, float target) {
-    return invert_detents(feel, map_ends(feel, joint, target, harden_end));
+    return invert_detents(feel, dmi_joint_closed(joint), map_ends(feel, joint, target, harden_end));
 }
 
-float dmi_feel_soft_pointer_value(const dm_drag_feel* feel, float target) {
-    return invert_detents(feel, target);
+float dmi_feel_soft_pointer_value(const dm_drag_feel* feel, float closed, float target) {
+    return invert_detents(feel, closed, target);
 }
 
 float dmi_feel_nearest_detent(const dm_drag_feel* feel, const dm_joint* joint, float value) {
     if (!(feel->detent > 0)) return value;
-    return dmi_joint_clamp(joint, feel->detent * roundf(value / feel->detent));
+    const float closed = dmi_joint_closed(joint), way = feel->detent * roundf((value - closed) / feel->detent);
+    return dmi_joint_clamp(joint, closed != 0 ? closed + way : way); /* a zero keeps its sign */
 }
 
 float dmi_feel_coast_time(const dm_drag_feel* feel) {

@@ -9,12 +9,13 @@
 float dmi_feel_soft_width(const dm_drag_feel* feel, const dm_joint* joint);
 /* Maps a pointer value into the limits and towards the detents; monotone. */
 float dmi_feel_target(const dm_drag_feel* feel, const dm_joint* joint, float pointer_value);
-/* The same for estimated limits, which a longer pull exceeds: a dead zone takes the place of an end. */
-float dmi_feel_soft_target(const dm_drag_feel* feel, float lower, float upper, float pointer_value);
+/* The same for estimated limits, which a longer pull exceeds: a dead zone takes the place of an end. closed: the joint
+ * value from which detents are spaced. */
+float dmi_feel_soft_target(const dm_drag_feel* feel, float closed, float lower, float upper, float pointer_value);
 /* Inverse of dmi_feel_target: returns a pointer value with this target. */
 float dmi_feel_pointer_value(const dm_drag_feel* feel, const dm_joint* joint, float target);
 /* The same of dmi_feel_soft_target, for targets inside the limits. */
-float dmi_feel_soft_pointer_value(const dm_drag_feel* feel, float target);
+float dmi_feel_soft_pointer_value(const dm_drag_feel* feel, float closed, float target);
 /* Returns the detent nearest to a value, inside the limits; the value itself without detents. */
 float dmi_feel_nearest_detent(const dm_drag_feel* feel, const dm_joint* joint, float value);
 /* Returns how hard detents and snap values hold, 0 to 1. */

@@ -11,7 +11,7 @@
 #define THROWN_SHARE 0.35f   /* of the range travelled in LOOK_AHEAD: thrown, not just let go */
 #define NEAR_END_SHARE 0.12f /* of the range: as good as at the end */
 #define HALF_WAY 0.5f        /* of the way to an open end: a part beyond is open */
-#define AT_STOP_SHARE 0.05f  /* of the range: rest and a limit are the same */
+#define AT_STOP_SHARE 0.05f  /* of the range: where it is closed and a limit are the same */
 
 static float range_of(const dm_joint* joint) {
     return joint->upper - joint->lower;
@@ -30,26 +30,26 @@ float dmi_released_unit(const dmi_released_part* part) {
     return dmi_joint_has_limits(part->joint) ? dmi_rules_range(dmi_released_rules(part), part->joint) : 1;
 }
 
-static bool rests_at_stop(const dm_joint* joint) {
-    const float near = AT_STOP_SHARE * range_of(joint), rest = dmi_joint_clamp(joint, 0);
-    return rest - joint->lower <= near || joint->upper - rest <= near;
+static bool closes_at_stop(const dm_joint* joint) {
+    const float near = AT_STOP_SHARE * range_of(joint), closed = dmi_joint_closed(joint);
+    return closed - joint->lower <= near || joint->upper - closed <= near;
 }
 
 float dmi_release_open_end(const dmi_released_part* part) {
     const dm_joint* joint = part->joint;
-    const float rest = dmi_joint_clamp(joint, 0), pulled = part->value + LOOK_AHEAD * part->velocity - rest;
+    const float closed = dmi_joint_closed(joint), pulled = part->value + LOOK_AHEAD * part->velocity - closed;
     const float side = part->side != 0 ? (float)part->side : pulled;
-    if (side == 0 || rests_at_stop(joint)) return dmi_joint_open_end(joint);
+    if (side == 0 || closes_at_stop(joint)) return dmi_joint_opened(joint);
     return side > 0 ? joint->upper : joint->lower;
 }
 
 bool dmi_release_is_open(const dmi_released_part* part) {
     const dm_joint* joint = part->joint;
-    const float rest = dmi_joint_clamp(joint, 0), below = rest - joint->lower, above = joint->upper - rest;
-    const bool both_sides = !rests_at_stop(joint);
-    if (!dmi_released_has_range(part)) return fabsf(part->value - rest) > HALF_WAY * dmi_released_unit(part);
-    const float way = both_sides ? (part->value < rest ? below : above) : dmi_fmaxf(below, above);
-    return fabsf(part->value - rest) > HALF_WAY * way;
+    const float closed = dmi_joint_closed(joint), below = closed - joint->lower, above = joint->upper - closed;
+    const bool both_sides = !closes_at_stop(joint);
+    if (!dmi_released_has_range(part)) return fabsf(part->value - closed) > HALF_WAY * dmi_released_unit(part);
+    const float way = both_sides ? (part->value < closed ? below : above) : dmi_fmaxf(below, above);
+    return fabsf(part->value - closed) > HALF_WAY * way;
 }
 
 float dmi_released_glide(const dmi_released_part* part) {
@@ -98,13 +98,12 @@ int32_t dmi_released_intent(const dmi_released_part* part, float return_time) {
     if (return_time > 0) return DM_INTENT_CLOSE;
     if (!dmi_released_has_range(part) || part->feel->detent > 0) return DM_INTENT_STAY;
     const float range = range_of(joint), thrown = LOOK_AHEAD * part->velocity, ahead = part->value + thrown;
-    const float from_rest = fabsf(ahead - dmi_joint_clamp(joint, 0));
-    const bool homeward = part->velocity * (dmi_joint_clamp(joint, 0) - part->value) >= 0;
-    if (rests_at_stop(joint) && (from_rest < NEAR_END_SHARE * range || dmi_joint_clamp(joint, ahead) != ahead) &&
-        homeward) {
+    const float off = fabsf(ahead - dmi_joint_closed(joint));
+    const bool homeward = part->velocity * (dmi_joint_closed(joint) - part->value) >= 0;
+    if (closes_at_stop(joint) && (off < NEAR_END_SHARE * range || dmi_joint_clamp(joint, ahead) != ahead) && homeward) {
         return DM_INTENT_CLOSE;
     }
-    if (rests_at_stop(joint) && homeward && fabsf(thrown) > THROWN_SHARE * range) return DM_INTENT_CLOSE;
+    if (closes_at_stop(joint) && homeward && fabsf(thrown) > THROWN_SHARE * range) return DM_INTENT_CLOSE;
     if (fabsf(thrown) > THROWN_SHARE * range) return DM_INTENT_OPEN;
     if (fabsf(ahead - dmi_release_open_end(part)) < NEAR_END_SHARE * range) return DM_INTENT_OPEN;
     return DM_INTENT_STAY;

@@ -6,17 +6,17 @@
 #include "math/elementary.h"
 
 /* By hand. */
-#define CATCH_SHARE 0.01f /* of the range from rest: the latch catches the part within */
+#define CATCH_SHARE 0.01f /* of the range from where it is closed: the latch catches the part within */
 #define LET_GO 0.8f       /* of the turn that opens the latch: a handle below has been let go */
 #define TRIED 2.0f        /* times what is given: more is a try … */
 #define LET_UP 1.0f       /* … and less is none */
 
-static bool is_at_rest(const dmi_rules* rules, const dm_joint* joint, float value) {
-    return fabsf(value - dmi_joint_clamp(joint, 0)) <= CATCH_SHARE * dmi_rules_range(rules, joint);
+static bool is_shut(const dmi_rules* rules, const dm_joint* joint, float value) {
+    return fabsf(value - dmi_joint_closed(joint)) <= CATCH_SHARE * dmi_rules_range(rules, joint);
 }
 
 dmi_latch dmi_latch_begin(const dmi_rules* rules, const dm_joint* joint, float value) {
-    return (dmi_latch){.closed = rules->flags & DM_RULE_LATCH && is_at_rest(rules, joint, value)};
+    return (dmi_latch){.closed = rules->flags & DM_RULE_LATCH && is_shut(rules, joint, value)};
 }
 
 static void update_lock(dmi_latch* latch, float value, bool locked) {
@@ -26,18 +26,18 @@ static void update_lock(dmi_latch* latch, float value, bool locked) {
 
 uint32_t dmi_latch_update(dmi_latch* latch, const dmi_rules* rules, const dm_joint* joint, float value, bool locked,
                           const float handles[2]) {
-    const float turn = dmi_fmaxf(fabsf(handles[0]), fabsf(handles[1])), rest = dmi_joint_clamp(joint, 0);
+    const float turn = dmi_fmaxf(fabsf(handles[0]), fabsf(handles[1])), shut = dmi_joint_closed(joint);
     uint32_t events = 0;
     latch->turned = turn >= (latch->turned ? LET_GO : 1) * rules->latch_turn;
     if (latch->closed && latch->turned) {
         latch->closed = false;
         events = DM_EVENT_UNLATCHED;
-    } else if (rules->flags & DM_RULE_LATCH && !latch->closed && !latch->turned && is_at_rest(rules, joint, value)) {
+    } else if (rules->flags & DM_RULE_LATCH && !latch->closed && !latch->turned && is_shut(rules, joint, value)) {
         latch->closed = true;
         events = DM_EVENT_LATCHED;
     }
-    update_lock(latch, latch->closed ? rest : value, locked || rules->flags & DM_RULE_LOCKED);
-    if (latch->closed) latch->at = rest;
+    update_lock(latch, latch->closed ? shut : value, locked || rules->flags & DM_RULE_LOCKED);
+    if (latch->closed) latch->at = shut;
     return events;
 }
 

@@ -125,7 +125,7 @@ void dmi_release_begin(dmi_release* r, const dmi_released_part* part, int32_t in
     r->duration = 0;
     const bool unlimited = !dmi_joint_has_limits(part->joint);
     if (asked == DM_INTENT_CLOSE)
-        plan_move(part, r, dmi_joint_clamp(part->joint, 0));
+        plan_move(part, r, dmi_joint_closed(part->joint));
     else if (asked == DM_INTENT_OPEN && !unlimited)
         plan_move(part, r, dmi_release_open_end(part));
     else if (asked != DM_INTENT_FREEZE)

@@ -20,6 +20,10 @@ float dmi_rules_range(const dmi_rules* rules, const dm_joint* joint) {
 }
 
 float dmi_rules_share(const dmi_rules* rules, const dm_joint* joint, float value) {
+    return fabsf(value - dmi_joint_closed(joint)) / dmi_rules_range(rules, joint);
+}
+
+float dmi_rules_share_from_rest(const dmi_rules* rules, const dm_joint* joint, float value) {
     return fabsf(value - dmi_joint_clamp(joint, 0)) / dmi_rules_range(rules, joint);
 }
 

@@ -11,7 +11,7 @@ typedef struct dmi_rules {
     float object_size; /* host units */
     uint32_t flags;    /* DM_RULE_* */
     dmi_snaps snaps;
-    float open_share, closed_share; /* of the range, from rest */
+    float open_share, closed_share; /* of the range, from where it is closed */
     float event_time;               /* s */
     float max_speed;                /* joint value a second; 0: none */
     float max_acceleration;         /* joint value a second squared; 0: none */
@@ -30,8 +30,10 @@ typedef struct dmi_rules {
 /* Fills in the defaults. given: sound, its snap values copied at once. */
 dmi_rules dmi_rules_from(const dm_drag_rules* given, const dm_drag_feel* feel, const dm_joint* joint, bool one_sided,
                          float object_size);
-/* Returns how far a value is from rest, a share of the range. */
+/* Returns how far a value is from where the part is closed, a share of the range. */
 float dmi_rules_share(const dmi_rules* rules, const dm_joint* joint, float value);
+/* Returns how far a value is from rest, a share of the range. */
+float dmi_rules_share_from_rest(const dmi_rules* rules, const dm_joint* joint, float value);
 /* Returns the range of a joint; where a limit is missing, 1 rad or the object's size. */
 float dmi_rules_range(const dmi_rules* rules, const dm_joint* joint);
 

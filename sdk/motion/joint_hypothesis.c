@@ -102,8 +102,8 @@ void dmi_joint_reachable_range(const dm_joint* joint, dmi_limit_give limit_give,
     const float most = dmi_joint_turns(joint->type) ? DMI_TWO_PI_F : limit_give.length;
     const float more = limit_give.share == 0 ? most : dmi_fmaxf(limit_give.share, 0) * range;
     const float far = dmi_joint_farthest(joint);
-    *out_lower = fabsf(joint->lower) <= near ? joint->lower : dmi_fmaxf(joint->lower - more, -far);
-    *out_upper = fabsf(joint->upper) <= near ? joint->upper : dmi_fminf(joint->upper + more, far);
+    *out_lower = fabsf(joint->lower - joint->closed) <= near ? joint->lower : dmi_fmaxf(joint->lower - more, -far);
+    *out_upper = fabsf(joint->upper - joint->closed) <= near ? joint->upper : dmi_fminf(joint->upper + more, far);
 }
 
 bool dmi_joint_hypothesis_is_end_on(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis) {

@@ -208,10 +208,10 @@ static void a_detent_pulls_by_a_sine(void** state) {
             const double asked = 0.01 * k + 0.003, period = 0.3 / 6.283185307;
             const double wanted = asked - (double)pulls[i].pull * period * sin(asked / period);
             assert_near(dmi_feel_target(&feel, &wheel, (float)asked), wanted, 1e-6);
-            assert_near(dmi_feel_soft_target(&feel, -2, 2, (float)asked), wanted, 1e-6);
+            assert_near(dmi_feel_soft_target(&feel, 0, -2, 2, (float)asked), wanted, 1e-6);
             const float back = dmi_feel_pointer_value(&feel, &wheel, (float)wanted);
             assert_near((double)back - (double)pulls[i].pull * period * sin((double)back / period), wanted, 1e-6);
-            assert_near(dmi_feel_soft_pointer_value(&feel, (float)wanted), back, 0);
+            assert_near(dmi_feel_soft_pointer_value(&feel, 0, (float)wanted), back, 0);
             assert_near(dmi_feel_nearest_detent(&feel, &wheel, (float)asked), 0.3 * round(asked / 0.3), 1e-6);
         }
     }
@@ -228,9 +228,9 @@ static void an_estimated_end_has_a_dead_zone(void** state) {
     for (int k = 0; k <= 100; k++) {
         const double beyond = 0.002 * k, width = 0.04; /* of a range of 4 */
         const double wanted = beyond < width ? 0 : beyond > 3 * width ? beyond : 1.5 * (beyond - width);
-        assert_near(dmi_feel_soft_target(&feel, -1, 3, (float)(3 + beyond)) - 3, wanted, 1e-6);
-        assert_near(-1 - dmi_feel_soft_target(&feel, -1, 3, (float)(-1 - beyond)), wanted, 1e-6);
-        assert_near(dmi_feel_soft_target(&feel, -1, 3, (float)(3 - beyond)), 3 - beyond, 1e-6);
+        assert_near(dmi_feel_soft_target(&feel, 0, -1, 3, (float)(3 + beyond)) - 3, wanted, 1e-6);
+        assert_near(-1 - dmi_feel_soft_target(&feel, 0, -1, 3, (float)(-1 - beyond)), wanted, 1e-6);
+        assert_near(dmi_feel_soft_target(&feel, 0, -1, 3, (float)(3 - beyond)), 3 - beyond, 1e-6);
     }
 }
 

@@ -66,6 +66,56 @@ static void the_hand_says_what_is_meant(void** state) {
     }
 }
 
+/* A drawer that is modelled 0.2 out of its cabinet, with 0.3 to go. */
+static const dm_joint ajar = {
+    .type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .lower = -0.2f, .upper = 0.3f, .closed = -0.2f};
+
+static void a_part_that_rests_open_closes_to_where_it_is_closed(void** state) {
+    (void)state;
+    const meant_case cases[] = {
+        {0.1f, 0, DM_INTENT_CLOSE, -0.2f},
+        {0, 0, DM_INTENT_CLOSE, -0.2f}, /* also from rest */
+        {-0.1f, 0, DM_INTENT_TOGGLE, 0.3f},
+        {0.2f, 0, DM_INTENT_TOGGLE, -0.2f},
+        {-0.19f, -0.01f, DM_INTENT_AUTO, -0.2f} /* nearly shut */
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const dm_drag_feel feel = {0};
+        dmi_drag drag = held_at(&ajar, cases[i].value, cases[i].velocity, &feel);
+        int32_t intent = cases[i].intent;
+        if (intent == DM_INTENT_TOGGLE) intent = dmi_drag_is_open(&drag) ? DM_INTENT_CLOSE : DM_INTENT_OPEN;
+        dmi_drag_release(&drag, intent, 0);
+        assert_near(run_out(&drag, FRAME), cases[i].end, 1e-3);
+    }
+}
+
+static void the_open_share_counts_from_closed(void** state) {
+    (void)state;
+    static const dm_joint both_sides = {.type = DM_JOINT_REVOLUTE, .axis = {0, 1, 0}, .lower = -1, .upper = 2};
+    static const dm_joint wheel = {.type = DM_JOINT_CONTINUOUS, .axis = {0, 1, 0}};
+    const struct {
+        const dm_joint* joint;
+        float value, share;
+    } cases[] = {{&ajar, -0.2f, 0},   {&ajar, 0, 0.4f},     {&ajar, 0.3f, 1},       {&door, 0, 0},
+                 {&door, 0.8f, 0.5f}, {&both_sides, -1, 0}, {&both_sides, 1, 0.5f}, {&wheel, 1, 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const dm_drag_feel feel = {0};
+        dm_drag_state now;
+        const dmi_drag drag = held_at(cases[i].joint, cases[i].value, 0, &feel);
+        dmi_drag_get_state(&drag, &now);
+        assert_near(now.open_share, cases[i].share, 1e-6);
+    }
+}
+
+/* Detents are spaced from where the part is closed. */
+static void detents_begin_where_the_part_is_closed(void** state) {
+    (void)state;
+    const dm_drag_feel feel = {.detent = 0.15f};
+    dmi_drag drag = held_at(&ajar, -0.06f, 0, &feel);
+    dmi_drag_release(&drag, DM_INTENT_STAY, 0);
+    assert_near(run_out(&drag, FRAME), -0.05, 1e-3);
+}
+
 /* A part that is thrown does not slow down on its way: it takes as long as at half the speed that it has. */
 static void fast_parts_arrive_sooner(void** state) {
     (void)state;
@@ -510,6 +560,9 @@ static void a_part_opens_to_the_side_of_the_pull(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_hand_says_what_is_meant),
+        cmocka_unit_test(a_part_that_rests_open_closes_to_where_it_is_closed),
+        cmocka_unit_test(the_open_share_counts_from_closed),
+        cmocka_unit_test(detents_begin_where_the_part_is_closed),
         cmocka_unit_test(fast_parts_arrive_sooner),
         cmocka_unit_test(no_release_jumps),
         cmocka_unit_test(a_motion_of_keys_sets_the_pace),

@@ -301,9 +301,9 @@ typedef struct dm_drag_hint {
 } dm_drag_hint;
 
 /* Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or
- * left it in the middle or at the file's origin. Leave it out, or say DM_PIVOT_DEFAULT, where all nodes of an asset, the
- * body's too, have theirs by one rule: at one point, or at the same place of their boxes. A program has put them there,
- * and an edge that happens to lie there would be taken for a hinge. */
+ * left it in the middle or at the file's origin. Leave it out, or say DM_PIVOT_DEFAULT, where all nodes of an asset,
+ * the body's too, have theirs by one rule: at one point, or at the same place of their boxes. A program has put them
+ * there, and an edge that happens to lie there would be taken for a hinge. */
 typedef struct dm_pivot {
     dm_vec3 origin; /* host object frame */
     float axes[9];  /* the node's own x, y and z axis, three numbers each, host object frame; of any length, also
@@ -321,13 +321,14 @@ typedef struct dm_part_desc {
                               Hebel) count, others don't. At most DM_MAX_LABEL bytes */
     const dm_pivot* pivot; /* optional evidence */
     int32_t pivot_kind;    /* DM_PIVOT_*: whether somebody has set the pivot */
+    uint32_t reserved;     /* 0 */
 } dm_part_desc;
 
 /* What is known of where a pivot lies (dm_gltf_get_pivot_kind tells it of a glTF file). */
 enum {
     DM_PIVOT_UNKNOWN = 0, /* nothing: it is judged by those of the other parts */
     DM_PIVOT_DEFAULT = 1, /* where a program puts them all: it says nothing */
-    DM_PIVOT_SET = 2      /* the other nodes' follow a rule and it does not: somebody has set it, and it says the more */
+    DM_PIVOT_SET = 2 /* the other nodes' follow a rule and it does not: somebody has set it, and it says the more */
 };
 
 /* How a part moves. */
@@ -349,6 +350,8 @@ typedef struct dm_joint {
     uint32_t evidence[4]; /* in a dm_part_state: what the part's pulls so far say of all its joints. dm_drag_end writes
                              it, dm_drag_begin reads it; keep the four numbers as they are. Zeros: no pull said
                              anything. Elsewhere 0, and not read */
+    float closed;         /* joint value at which the part is closed: 0, or one of the limits where the part rests open.
+                             A host's joint may have it; outside of its limits it is moved to the nearer one */
 } dm_joint;
 
 enum {
@@ -803,6 +806,8 @@ typedef struct dm_drag_state {
     float joint_confidence; /* probability that the joint in force is right, 0..1: the one number to show. A pull of one
                                kind from one side never makes it certain */
     int32_t joint_basis;    /* DM_BASIS_*: where the joint in force comes from */
+    float open_share; /* how far the part is open: 0 where it is closed (dm_joint.closed), 1 at the end farther from
+                         there, between them by the joint value; 0 for joints without limits */
 } dm_drag_state;
 
 /* Where the joint that a drag follows comes from. */
@@ -818,10 +823,10 @@ enum {
     DM_GO_AUTO = 0,   /* as the player meant it, by where the part is and how fast it goes */
     DM_GO_STAY = 1,   /* glides to a stop; also stops a part that moves by itself */
     DM_GO_OPEN = 2,   /* goes on to the end of the joint that lies the way it was pulled */
-    DM_GO_CLOSE = 3,  /* falls back to rest */
+    DM_GO_CLOSE = 3,  /* falls back to where it is closed: dm_joint.closed, which is rest unless it rests open */
     DM_GO_REPLAY = 4, /* does once more what it did after the last release */
     DM_GO_FREEZE = 5, /* stops dead */
-    DM_GO_TOGGLE = 6  /* opens when it is nearer to rest than to its open end, else closes */
+    DM_GO_TOGGLE = 6  /* opens when it is nearer to where it is closed than to its open end, else closes */
 };
 
 /* The same by their names of version 0.2. */
