@@ -15,6 +15,7 @@ void joint_to_json(const dm_joint* joint, const double frame[3], cJSON* out) {
     const bool limited = joint->type != DM_JOINT_CONTINUOUS;
     json_add_number(out, "lower", limited ? (double)joint->lower : NAN, 9);
     json_add_number(out, "upper", limited ? (double)joint->upper : NAN, 9);
+    if (joint->closed != 0) json_add_number(out, "closed", (double)joint->closed, 9);
     if (joint->type == DM_JOINT_SCREW) json_add_number(out, "pitch", (double)joint->pitch, 9);
 }
 

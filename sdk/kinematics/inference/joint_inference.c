@@ -8,6 +8,7 @@
 #include "kinematics/hints/hint_likelihood.h"
 #include "kinematics/inference/hypothesis_selection.h"
 #include "kinematics/inference/straight_pull.h"
+#include "kinematics/limits/closed_pose.h"
 #include "kinematics/limits/free_range.h"
 #include "kinematics/limits/limits.h"
 #include "kinematics/ranking/twin_leaves.h"
@@ -195,6 +196,16 @@ static dm_joint make_joint(const work* w, const dmi_selected* selected) {
     return joint;
 }
 
+/* Brings the range of a part that rests open to where it is closed. faces_open: the longer way is to be positive. */
+static void reach_closed(const dmi_part_analysis* analysis, bool faces_open, dm_joint* joint) {
+    float closed;
+    if (!dmi_closed_pose_find(analysis, joint, &closed)) return;
+    joint->closed = closed;
+    if (closed < 0) joint->lower = closed, joint->upper = dmi_fmaxf(joint->upper, 0);
+    if (closed > 0) joint->upper = closed, joint->lower = dmi_fminf(joint->lower, 0);
+    if (faces_open && -joint->lower > joint->upper) dmi_joint_reverse(joint);
+}
+
 static void set_limits(const work* w, const dmi_selected* selected, dmi_hypotheses* out) {
     const int32_t given = w->query->given_type;
     const float* features[DM_MAX_HYPOTHESES];
@@ -203,6 +214,7 @@ static void set_limits(const work* w, const dmi_selected* selected, dmi_hypothes
                    features, out->joints, out->count);
     for (uint32_t i = 0; i < out->count; i++) {
         dm_joint* joint = &out->joints[i];
+        if (dmi_joint_has_limits(joint)) reach_closed(&w->analysis, w->query->hint == NULL, joint);
         if (given == DM_JOINT_CONTINUOUS || (given == DM_JOINT_REVOLUTE && joint->type == DM_JOINT_CONTINUOUS))
             joint->type = given;
     }
@@ -212,7 +224,9 @@ static void set_limits(const work* w, const dmi_selected* selected, dmi_hypothes
  * mirrored, because the sweep found the wrong side. */
 static void follow_drag(const dmi_drag_hint* hint, dm_joint* joint) {
     dmi_joint_orient(joint, hint);
-    if (joint->type == DM_JOINT_CONTINUOUS || joint->upper > LEAST_ROOM * (joint->upper - joint->lower)) return;
+    if (joint->type == DM_JOINT_CONTINUOUS || joint->closed != 0 ||
+        joint->upper > LEAST_ROOM * (joint->upper - joint->lower))
+        return;
     joint->upper = -joint->lower, joint->lower = 0;
 }
 

@@ -18,6 +18,8 @@
  *      made before there was any)
  * LES  u32 DM_DEGRADED_*: what the object was prepared without (absent where that is nothing, and in files made before
  *      there was any)
+ * CLO  for each part but the body: f32 joint value at which it is closed, of each hypothesis, then for k = -1 of its
+ *      joint, inner and in HST (absent where all are 0, and in files made before there were any)
  * TRI  u64 vertices, triangles; f32 [][3] positions, u32 [][3] corners, u16 [] part index (absent without picking)
  *
  * A joint: i32 type, f32 type confidence, confidence, pitch, axis[3], origin[3], lower, upper, i32 source.
@@ -51,12 +53,14 @@ enum {
     DMI_DMO_HOST_JOINTS,
     DMI_DMO_DEGRADED,
     DMI_DMO_TRIANGLES,
+    DMI_DMO_CLOSED,
     DMI_DMO_SECTIONS
 };
 static const uint32_t dmi_dmo_tags[DMI_DMO_SECTIONS] = {
     DMI_DMO_TAG('O', 'B', 'J', ' '), DMI_DMO_TAG('P', 'A', 'R', 'T'), DMI_DMO_TAG('J', 'N', 'T', ' '),
     DMI_DMO_TAG('P', 'N', 'T', ' '), DMI_DMO_TAG('A', 'L', 'T', ' '), DMI_DMO_TAG('F', 'R', 'E', ' '),
-    DMI_DMO_TAG('H', 'S', 'T', ' '), DMI_DMO_TAG('L', 'E', 'S', ' '), DMI_DMO_TAG('T', 'R', 'I', ' ')};
+    DMI_DMO_TAG('H', 'S', 'T', ' '), DMI_DMO_TAG('L', 'E', 'S', ' '), DMI_DMO_TAG('T', 'R', 'I', ' '),
+    DMI_DMO_TAG('C', 'L', 'O', ' ')};
 
 /* Returns the CRC-32 of IEEE 802.3, zlib and PNG. */
 uint32_t dmi_dmo_crc(const uint8_t* bytes, size_t size);

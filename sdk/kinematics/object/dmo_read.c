@@ -130,15 +130,25 @@ static void read_host(loading* load) {
     /* NOLINTEND(bugprone-suspicious-memory-comparison) */
 }
 
+/* Reads where a joint is closed; a file without the section says rest. Returns whether the number is one. */
+static bool read_closed(loading* load, float* out) {
+    dmi_dmo_reader* r = &load->sections[DMI_DMO_CLOSED];
+    *out = r->at != NULL ? dmi_get_f32(r) : 0;
+    return dmi_dmo_within(out, 1, FLT_MAX);
+}
+
 /* Reads a joint that is the host's own, of which `inner` is a copy in the inner frame. */
 static bool read_host_joint(loading* load, const dm_joint* inner, dm_joint* out_joint) {
     dmi_dmo_reader* r = &load->sections[DMI_DMO_HOST_JOINTS];
     dm_joint saved;
     *out_joint = dmi_frame_joint_out(&load->object->frame, inner);
-    if (r->at == NULL) return true;
+    float closed;
+    const bool valid = read_closed(load, &closed);
+    if (r->at == NULL) return valid;
     dmi_get_joint(r, &saved);
+    saved.closed = closed;
     if (load->same_host) *out_joint = saved;
-    return dmi_dmo_valid_joint_numbers(&saved);
+    return valid && dmi_dmo_valid_joint_numbers(&saved);
 }
 
 static dm_result read_joints(loading* load) {
@@ -156,6 +166,7 @@ static dm_result read_joints(loading* load) {
         bool valid = true;
         for (uint32_t j = 0; j < all->count; j++) {
             dmi_get_joint(r, &all->joints[j]);
+            valid = read_closed(load, &all->joints[j].closed) && valid;
             valid = valid && dmi_dmo_valid_joint(frame, &all->joints[j]);
         }
         if (in_force >= 0) {
@@ -163,12 +174,15 @@ static dm_result read_joints(loading* load) {
         } else {
             dm_joint inner;
             dmi_get_joint(r, &inner);
+            valid = read_closed(load, &inner.closed) && valid;
             valid = valid && dmi_dmo_valid_joint(frame, &inner) && read_host_joint(load, &inner, &part->joint);
         }
         if (!valid) return bad(load, "section JNT or HST holds an invalid joint");
     }
     const dmi_dmo_reader* host = &load->sections[DMI_DMO_HOST_JOINTS];
     if (host->overrun || host->left > 0) return bad(load, "section HST has the wrong size");
+    const dmi_dmo_reader* closed = &load->sections[DMI_DMO_CLOSED];
+    if (closed->overrun || closed->left > 0) return bad(load, "section CLO has the wrong size");
     return r->overrun || r->left > 0 ? bad(load, "section JNT has the wrong size") : DM_OK;
 }
 

@@ -109,6 +109,26 @@ static void write_degraded(dmi_dmo_writer* w, const dmi_object* object) {
     dmi_put_u32(w, object->degraded);
 }
 
+static void write_closed(dmi_dmo_writer* w, const dmi_object* object) {
+    for (uint32_t i = 1; i < object->part_count; i++) {
+        const dmi_object_part* part = &object->parts[i];
+        for (uint32_t j = 0; j < part->hypotheses.count; j++) dmi_put_f32(w, part->hypotheses.joints[j].closed);
+        if (hypothesis_in_force(object, part) >= 0) continue;
+        dmi_put_f32(w, dmi_frame_joint_in(&object->frame, &part->joint).closed);
+        dmi_put_f32(w, part->joint.closed);
+    }
+}
+
+static bool has_closed(const dmi_object* object) {
+    for (uint32_t i = 1; i < object->part_count; i++) {
+        const dmi_object_part* part = &object->parts[i];
+        if (part->joint.closed != 0) return true;
+        for (uint32_t j = 0; j < part->hypotheses.count; j++)
+            if (part->hypotheses.joints[j].closed != 0) return true;
+    }
+    return false;
+}
+
 static void write_triangles(dmi_dmo_writer* w, const dmi_object* object) {
     const dmi_mesh* mesh = object->mesh;
     dmi_put_u64(w, mesh->vertex_count);
@@ -124,6 +144,7 @@ static uint32_t list_sections(const dmi_object* object, bool out_present[DMI_DMO
     for (int i = 0; i < DMI_DMO_SECTIONS; i++) out_present[i] = true;
     out_present[DMI_DMO_HOST_JOINTS] = has_host_joints(object);
     out_present[DMI_DMO_DEGRADED] = object->degraded != 0;
+    out_present[DMI_DMO_CLOSED] = has_closed(object);
     out_present[DMI_DMO_TRIANGLES] = object->mesh != NULL;
     for (int i = 0; i < DMI_DMO_SECTIONS; i++) count += out_present[i];
     return count;
@@ -131,8 +152,8 @@ static uint32_t list_sections(const dmi_object* object, bool out_present[DMI_DMO
 
 static void write_all(dmi_dmo_writer* w, const dmi_object* object) {
     static void (*const writers[DMI_DMO_SECTIONS])(dmi_dmo_writer*, const dmi_object*) = {
-        write_object,      write_parts,       write_joints,   write_points,   write_alternatives,
-        write_free_ranges, write_host_joints, write_degraded, write_triangles};
+        write_object,      write_parts,       write_joints,   write_points,    write_alternatives,
+        write_free_ranges, write_host_joints, write_degraded, write_triangles, write_closed};
     bool present[DMI_DMO_SECTIONS];
     const uint32_t count = list_sections(object, present);
     dmi_dmo_writer table = {w->out, DMI_DMO_HEADER_SIZE};
