@@ -80,6 +80,11 @@ enum {
     DM_PER_FACE = 1
 };
 enum {
+    DM_PIVOT_UNKNOWN = 0,
+    DM_PIVOT_DEFAULT = 1,
+    DM_PIVOT_SET = 2
+};
+enum {
     DM_JOINT_FROM_NETWORK = 0,
     DM_JOINT_FROM_GEOMETRY = 1,
     DM_JOINT_FROM_HOST = 2,
@@ -379,6 +384,8 @@ struct dm_part_desc {
     const dm_drag_hint* drag;
     const char* label;
     const dm_pivot* pivot;
+    int32_t pivot_kind;
+    uint32_t reserved;
 };
 struct dm_joint {
     uint32_t struct_size;
@@ -392,6 +399,7 @@ struct dm_joint {
     float upper;
     int32_t source;
     uint32_t evidence[4];
+    float closed;
 };
 struct dm_joint_frame {
     uint32_t struct_size;
@@ -626,6 +634,7 @@ struct dm_drag_state {
     uint32_t status;
     float joint_confidence;
     int32_t joint_basis;
+    float open_share;
 };
 struct dm_release_desc {
     uint32_t struct_size;
@@ -893,6 +902,7 @@ dm_result dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_lab
 dm_result dm_gltf_get_asset(dm_gltf* gltf, uint32_t flags, const dm_asset_node** out_nodes, uint32_t* out_count);
 dm_result dm_gltf_get_asset_node(dm_gltf* gltf, uint32_t index, uint32_t* out_node);
 int32_t dm_gltf_pivots_are_lost(const dm_gltf* gltf);
+dm_result dm_gltf_get_pivot_kind(const dm_gltf* gltf, const char* name, int32_t* out_kind);
 int32_t dm_gltf_left_out(const dm_gltf* gltf);
 dm_result dm_gltf_read_mask(const dm_gltf* gltf, const void* data, size_t size, const int64_t* mask_value, uint8_t* out_part_ids, int32_t* out_scope, int32_t* out_ambiguous);
 dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint32_t track_count, void** out_data, size_t* out_size);

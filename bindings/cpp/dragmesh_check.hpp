@@ -73,6 +73,9 @@ static_assert(DM_UINT8 == 2, "DM_UINT8 has another value");
 static_assert(DM_INT32 == 3, "DM_INT32 has another value");
 static_assert(DM_PER_VERTEX == 0, "DM_PER_VERTEX has another value");
 static_assert(DM_PER_FACE == 1, "DM_PER_FACE has another value");
+static_assert(DM_PIVOT_UNKNOWN == 0, "DM_PIVOT_UNKNOWN has another value");
+static_assert(DM_PIVOT_DEFAULT == 1, "DM_PIVOT_DEFAULT has another value");
+static_assert(DM_PIVOT_SET == 2, "DM_PIVOT_SET has another value");
 static_assert(DM_JOINT_FROM_NETWORK == 0, "DM_JOINT_FROM_NETWORK has another value");
 static_assert(DM_JOINT_FROM_GEOMETRY == 1, "DM_JOINT_FROM_GEOMETRY has another value");
 static_assert(DM_JOINT_FROM_HOST == 2, "DM_JOINT_FROM_HOST has another value");
@@ -238,7 +241,7 @@ static_assert(std::is_same<decltype(dm_drag_hint::vector), dm_vec3>::value && (s
 static_assert(sizeof(void*) != 8 || sizeof(dm_pivot) == 48, "dm_pivot has another size");
 static_assert(std::is_same<decltype(dm_pivot::origin), dm_vec3>::value && (sizeof(void*) != 8 || offsetof(dm_pivot, origin) == 0), "dm_pivot.origin is another field");
 static_assert(std::is_same<decltype(dm_pivot::axes), float[9]>::value && (sizeof(void*) != 8 || offsetof(dm_pivot, axes) == 12), "dm_pivot.axes is another field");
-static_assert(sizeof(void*) != 8 || sizeof(dm_part_desc) == 40, "dm_part_desc has another size");
+static_assert(sizeof(void*) != 8 || sizeof(dm_part_desc) == 48, "dm_part_desc has another size");
 static_assert(std::is_same<decltype(dm_part_desc::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_part_desc, struct_size) == 0), "dm_part_desc.struct_size is another field");
 static_assert(std::is_same<decltype(dm_part_desc::id), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_part_desc, id) == 4), "dm_part_desc.id is another field");
 static_assert(std::is_same<decltype(dm_part_desc::parent), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_part_desc, parent) == 8), "dm_part_desc.parent is another field");
@@ -246,7 +249,9 @@ static_assert(std::is_same<decltype(dm_part_desc::joint_type), int32_t>::value &
 static_assert(std::is_same<decltype(dm_part_desc::drag), const dm_drag_hint *>::value && (sizeof(void*) != 8 || offsetof(dm_part_desc, drag) == 16), "dm_part_desc.drag is another field");
 static_assert(std::is_same<decltype(dm_part_desc::label), const char *>::value && (sizeof(void*) != 8 || offsetof(dm_part_desc, label) == 24), "dm_part_desc.label is another field");
 static_assert(std::is_same<decltype(dm_part_desc::pivot), const dm_pivot *>::value && (sizeof(void*) != 8 || offsetof(dm_part_desc, pivot) == 32), "dm_part_desc.pivot is another field");
-static_assert(sizeof(void*) != 8 || sizeof(dm_joint) == 72, "dm_joint has another size");
+static_assert(std::is_same<decltype(dm_part_desc::pivot_kind), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_part_desc, pivot_kind) == 40), "dm_part_desc.pivot_kind is another field");
+static_assert(std::is_same<decltype(dm_part_desc::reserved), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_part_desc, reserved) == 44), "dm_part_desc.reserved is another field");
+static_assert(sizeof(void*) != 8 || sizeof(dm_joint) == 76, "dm_joint has another size");
 static_assert(std::is_same<decltype(dm_joint::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_joint, struct_size) == 0), "dm_joint.struct_size is another field");
 static_assert(std::is_same<decltype(dm_joint::type), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_joint, type) == 4), "dm_joint.type is another field");
 static_assert(std::is_same<decltype(dm_joint::type_confidence), float>::value && (sizeof(void*) != 8 || offsetof(dm_joint, type_confidence) == 8), "dm_joint.type_confidence is another field");
@@ -258,6 +263,7 @@ static_assert(std::is_same<decltype(dm_joint::lower), float>::value && (sizeof(v
 static_assert(std::is_same<decltype(dm_joint::upper), float>::value && (sizeof(void*) != 8 || offsetof(dm_joint, upper) == 48), "dm_joint.upper is another field");
 static_assert(std::is_same<decltype(dm_joint::source), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_joint, source) == 52), "dm_joint.source is another field");
 static_assert(std::is_same<decltype(dm_joint::evidence), uint32_t[4]>::value && (sizeof(void*) != 8 || offsetof(dm_joint, evidence) == 56), "dm_joint.evidence is another field");
+static_assert(std::is_same<decltype(dm_joint::closed), float>::value && (sizeof(void*) != 8 || offsetof(dm_joint, closed) == 72), "dm_joint.closed is another field");
 static_assert(sizeof(void*) != 8 || sizeof(dm_joint_frame) == 88, "dm_joint_frame has another size");
 static_assert(std::is_same<decltype(dm_joint_frame::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_joint_frame, struct_size) == 0), "dm_joint_frame.struct_size is another field");
 static_assert(std::is_same<decltype(dm_joint_frame::type), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_joint_frame, type) == 4), "dm_joint_frame.type is another field");
@@ -270,7 +276,7 @@ static_assert(std::is_same<decltype(dm_joint_frame::lower), float>::value && (si
 static_assert(std::is_same<decltype(dm_joint_frame::upper), float>::value && (sizeof(void*) != 8 || offsetof(dm_joint_frame, upper) == 76), "dm_joint_frame.upper is another field");
 static_assert(std::is_same<decltype(dm_joint_frame::limits), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_joint_frame, limits) == 80), "dm_joint_frame.limits is another field");
 static_assert(std::is_same<decltype(dm_joint_frame::pitch), float>::value && (sizeof(void*) != 8 || offsetof(dm_joint_frame, pitch) == 84), "dm_joint_frame.pitch is another field");
-static_assert(sizeof(void*) != 8 || sizeof(dm_part_state) == 120, "dm_part_state has another size");
+static_assert(sizeof(void*) != 8 || sizeof(dm_part_state) == 124, "dm_part_state has another size");
 static_assert(std::is_same<decltype(dm_part_state::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_part_state, struct_size) == 0), "dm_part_state.struct_size is another field");
 static_assert(std::is_same<decltype(dm_part_state::value), float>::value && (sizeof(void*) != 8 || offsetof(dm_part_state, value) == 4), "dm_part_state.value is another field");
 static_assert(std::is_same<decltype(dm_part_state::velocity), float>::value && (sizeof(void*) != 8 || offsetof(dm_part_state, velocity) == 8), "dm_part_state.velocity is another field");
@@ -455,7 +461,7 @@ static_assert(std::is_same<decltype(dm_drag_input::second), dm_hand>::value && (
 static_assert(std::is_same<decltype(dm_drag_input::handles), float[2]>::value && (sizeof(void*) != 8 || offsetof(dm_drag_input, handles) == 120), "dm_drag_input.handles is another field");
 static_assert(std::is_same<decltype(dm_drag_input::lower), float>::value && (sizeof(void*) != 8 || offsetof(dm_drag_input, lower) == 128), "dm_drag_input.lower is another field");
 static_assert(std::is_same<decltype(dm_drag_input::upper), float>::value && (sizeof(void*) != 8 || offsetof(dm_drag_input, upper) == 132), "dm_drag_input.upper is another field");
-static_assert(sizeof(void*) != 8 || sizeof(dm_drag_state) == 96, "dm_drag_state has another size");
+static_assert(sizeof(void*) != 8 || sizeof(dm_drag_state) == 100, "dm_drag_state has another size");
 static_assert(std::is_same<decltype(dm_drag_state::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, struct_size) == 0), "dm_drag_state.struct_size is another field");
 static_assert(std::is_same<decltype(dm_drag_state::pose), dm_pose>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, pose) == 4), "dm_drag_state.pose is another field");
 static_assert(std::is_same<decltype(dm_drag_state::grab_point), dm_vec3>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, grab_point) == 36), "dm_drag_state.grab_point is another field");
@@ -471,6 +477,7 @@ static_assert(std::is_same<decltype(dm_drag_state::impact), float>::value && (si
 static_assert(std::is_same<decltype(dm_drag_state::status), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, status) == 84), "dm_drag_state.status is another field");
 static_assert(std::is_same<decltype(dm_drag_state::joint_confidence), float>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, joint_confidence) == 88), "dm_drag_state.joint_confidence is another field");
 static_assert(std::is_same<decltype(dm_drag_state::joint_basis), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, joint_basis) == 92), "dm_drag_state.joint_basis is another field");
+static_assert(std::is_same<decltype(dm_drag_state::open_share), float>::value && (sizeof(void*) != 8 || offsetof(dm_drag_state, open_share) == 96), "dm_drag_state.open_share is another field");
 static_assert(sizeof(void*) != 8 || sizeof(dm_release_desc) == 32, "dm_release_desc has another size");
 static_assert(std::is_same<decltype(dm_release_desc::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_release_desc, struct_size) == 0), "dm_release_desc.struct_size is another field");
 static_assert(std::is_same<decltype(dm_release_desc::intent), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_release_desc, intent) == 4), "dm_release_desc.intent is another field");
@@ -723,6 +730,7 @@ static_assert(std::is_same<decltype(&dm_gltf_get_hints), dm_result (*)(const dm_
 static_assert(std::is_same<decltype(&dm_gltf_get_asset), dm_result (*)(dm_gltf *, uint32_t, const dm_asset_node **, uint32_t *)>::value, "dm_gltf_get_asset is another function");
 static_assert(std::is_same<decltype(&dm_gltf_get_asset_node), dm_result (*)(dm_gltf *, uint32_t, uint32_t *)>::value, "dm_gltf_get_asset_node is another function");
 static_assert(std::is_same<decltype(&dm_gltf_pivots_are_lost), int32_t (*)(const dm_gltf *)>::value, "dm_gltf_pivots_are_lost is another function");
+static_assert(std::is_same<decltype(&dm_gltf_get_pivot_kind), dm_result (*)(const dm_gltf *, const char *, int32_t *)>::value, "dm_gltf_get_pivot_kind is another function");
 static_assert(std::is_same<decltype(&dm_gltf_left_out), int32_t (*)(const dm_gltf *)>::value, "dm_gltf_left_out is another function");
 static_assert(std::is_same<decltype(&dm_gltf_read_mask), dm_result (*)(const dm_gltf *, const void *, size_t, const int64_t *, uint8_t *, int32_t *, int32_t *)>::value, "dm_gltf_read_mask is another function");
 static_assert(std::is_same<decltype(&dm_gltf_export), dm_result (*)(const dm_gltf *, const dm_gltf_track *, uint32_t, void **, size_t *)>::value, "dm_gltf_export is another function");

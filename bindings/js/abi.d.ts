@@ -141,6 +141,16 @@ export const PartIdScope: {
     readonly FACE: 1;
 };
 
+/** What is known of where a pivot lies (dm_gltf_get_pivot_kind tells it of a glTF file). */
+export const PivotKind: {
+    /** nothing: it is judged by those of the other parts */
+    readonly UNKNOWN: 0;
+    /** where a program puts them all: it says nothing */
+    readonly DEFAULT: 1;
+    /** the other nodes' follow a rule and it does not: somebody has set it, and it says the more */
+    readonly SET: 2;
+};
+
 export const JointSource: {
     readonly FROM_NETWORK: 0;
     readonly FROM_GEOMETRY: 1;
@@ -358,13 +368,13 @@ export const Go: {
     readonly STAY: 1;
     /** goes on to the end of the joint that lies the way it was pulled */
     readonly OPEN: 2;
-    /** falls back to rest */
+    /** falls back to where it is closed: dm_joint.closed, which is rest unless it rests open */
     readonly CLOSE: 3;
     /** does once more what it did after the last release */
     readonly REPLAY: 4;
     /** stops dead */
     readonly FREEZE: 5;
-    /** opens when it is nearer to rest than to its open end, else closes */
+    /** opens when it is nearer to where it is closed than to its open end, else closes */
     readonly TOGGLE: 6;
 };
 

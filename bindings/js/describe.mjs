@@ -53,6 +53,7 @@ const enumNames = {
     DM_ASSET_NODE_FOLLOWS: ['AssetNodeFlag', 'DM_ASSET_NODE_'], DM_CLIP_NOT_RIGID: ['ClipFlag', 'DM_CLIP_'],
     DM_ASSET_WITHOUT_CLIPS: ['AssetFlag', 'DM_ASSET_'], DM_ASSET_CLIP_LEFT_OUT: ['AssetWarning', 'DM_ASSET_'],
     DM_ASSET_STAYS: ['AssetState', 'DM_ASSET_'], DM_ASSET_INFERRED: ['AssetBasis', 'DM_ASSET_'],
+    DM_PIVOT_UNKNOWN: ['PivotKind', 'DM_PIVOT_'],
 };
 
 function enumOf({ doc, constants }) {

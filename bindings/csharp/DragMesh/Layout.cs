@@ -114,7 +114,7 @@ namespace DragMesh
               Expect("dm_pivot.axes", (byte*)s.Axes - at, 12, 12);
             }
             { PartDesc s; byte* at = (byte*)&s;
-              Expect("dm_part_desc", sizeof(PartDesc), 40, 28);
+              Expect("dm_part_desc", sizeof(PartDesc), 48, 36);
               Expect("dm_part_desc.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_part_desc.id", (byte*)&s.Id - at, 4, 4);
               Expect("dm_part_desc.parent", (byte*)&s.Parent - at, 8, 8);
@@ -122,9 +122,11 @@ namespace DragMesh
               Expect("dm_part_desc.drag", (byte*)&s.Drag - at, 16, 16);
               Expect("dm_part_desc.label", (byte*)&s.Label - at, 24, 20);
               Expect("dm_part_desc.pivot", (byte*)&s.Pivot - at, 32, 24);
+              Expect("dm_part_desc.pivot_kind", (byte*)&s.PivotKind - at, 40, 28);
+              Expect("dm_part_desc.reserved", (byte*)&s.Reserved - at, 44, 32);
             }
             { Joint s; byte* at = (byte*)&s;
-              Expect("dm_joint", sizeof(Joint), 72, 72);
+              Expect("dm_joint", sizeof(Joint), 76, 76);
               Expect("dm_joint.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_joint.type", (byte*)&s.Type - at, 4, 4);
               Expect("dm_joint.type_confidence", (byte*)&s.TypeConfidence - at, 8, 8);
@@ -136,6 +138,7 @@ namespace DragMesh
               Expect("dm_joint.upper", (byte*)&s.Upper - at, 48, 48);
               Expect("dm_joint.source", (byte*)&s.Source - at, 52, 52);
               Expect("dm_joint.evidence", (byte*)s.Evidence - at, 56, 56);
+              Expect("dm_joint.closed", (byte*)&s.Closed - at, 72, 72);
             }
             { JointFrame s; byte* at = (byte*)&s;
               Expect("dm_joint_frame", sizeof(JointFrame), 88, 88);
@@ -152,7 +155,7 @@ namespace DragMesh
               Expect("dm_joint_frame.pitch", (byte*)&s.Pitch - at, 84, 84);
             }
             { PartState s; byte* at = (byte*)&s;
-              Expect("dm_part_state", sizeof(PartState), 120, 120);
+              Expect("dm_part_state", sizeof(PartState), 124, 124);
               Expect("dm_part_state.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_part_state.value", (byte*)&s.Value - at, 4, 4);
               Expect("dm_part_state.velocity", (byte*)&s.Velocity - at, 8, 8);
@@ -375,7 +378,7 @@ namespace DragMesh
               Expect("dm_drag_input.upper", (byte*)&s.Upper - at, 132, 132);
             }
             { DragState s; byte* at = (byte*)&s;
-              Expect("dm_drag_state", sizeof(DragState), 96, 96);
+              Expect("dm_drag_state", sizeof(DragState), 100, 100);
               Expect("dm_drag_state.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_drag_state.pose", (byte*)&s.Pose - at, 4, 4);
               Expect("dm_drag_state.grab_point", (byte*)&s.GrabPoint - at, 36, 36);
@@ -391,6 +394,7 @@ namespace DragMesh
               Expect("dm_drag_state.status", (byte*)&s.Status - at, 84, 84);
               Expect("dm_drag_state.joint_confidence", (byte*)&s.JointConfidence - at, 88, 88);
               Expect("dm_drag_state.joint_basis", (byte*)&s.JointBasis - at, 92, 92);
+              Expect("dm_drag_state.open_share", (byte*)&s.OpenShare - at, 96, 96);
             }
             { ReleaseDesc s; byte* at = (byte*)&s;
               Expect("dm_release_desc", sizeof(ReleaseDesc), 32, 32);

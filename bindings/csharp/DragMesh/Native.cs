@@ -123,6 +123,12 @@ namespace DragMesh
         public const int DM_INT32 = 3;
         public const int DM_PER_VERTEX = 0;
         public const int DM_PER_FACE = 1;
+        /// <summary>nothing: it is judged by those of the other parts</summary>
+        public const int DM_PIVOT_UNKNOWN = 0;
+        /// <summary>where a program puts them all: it says nothing</summary>
+        public const int DM_PIVOT_DEFAULT = 1;
+        /// <summary>the other nodes' follow a rule and it does not: somebody has set it, and it says the more</summary>
+        public const int DM_PIVOT_SET = 2;
         public const int DM_JOINT_FROM_NETWORK = 0;
         public const int DM_JOINT_FROM_GEOMETRY = 1;
         /// <summary>certain, limits too: no pull changes it</summary>
@@ -264,13 +270,13 @@ namespace DragMesh
         public const int DM_GO_STAY = 1;
         /// <summary>goes on to the end of the joint that lies the way it was pulled</summary>
         public const int DM_GO_OPEN = 2;
-        /// <summary>falls back to rest</summary>
+        /// <summary>falls back to where it is closed: dm_joint.closed, which is rest unless it rests open</summary>
         public const int DM_GO_CLOSE = 3;
         /// <summary>does once more what it did after the last release</summary>
         public const int DM_GO_REPLAY = 4;
         /// <summary>stops dead</summary>
         public const int DM_GO_FREEZE = 5;
-        /// <summary>opens when it is nearer to rest than to its open end, else closes</summary>
+        /// <summary>opens when it is nearer to where it is closed than to its open end, else closes</summary>
         public const int DM_GO_TOGGLE = 6;
         public const int DM_INTENT_AUTO = 0;
         public const int DM_INTENT_STAY = 1;
@@ -679,7 +685,7 @@ namespace DragMesh
         public Vec3 Vector;
     }
 
-    /// <summary>Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin. Leave it out where all nodes of an asset, the body's too, stand at one place: its file has lost them, and an edge that happens to lie there would be taken for a hinge.</summary>
+    /// <summary>Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin. Leave it out, or say DM_PIVOT_DEFAULT, where all nodes of an asset, the body's too, have theirs by one rule: at one point, or at the same place of their boxes. A program has put them there, and an edge that happens to lie there would be taken for a hinge.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Pivot
     {
@@ -705,6 +711,10 @@ namespace DragMesh
         public byte* Label;
         /// <summary>optional evidence</summary>
         public Pivot* Pivot;
+        /// <summary>DM_PIVOT_*: whether somebody has set the pivot</summary>
+        public int PivotKind;
+        /// <summary>0</summary>
+        public uint Reserved;
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static PartDesc New() => new PartDesc { StructSize = (uint)sizeof(PartDesc) };
@@ -735,6 +745,8 @@ namespace DragMesh
         public int Source;
         /// <summary>in a dm_part_state: what the part's pulls so far say of all its joints. dm_drag_end writes it, dm_drag_begin reads it; keep the four numbers as they are. Zeros: no pull said anything. Elsewhere 0, and not read</summary>
         public fixed uint Evidence[4];
+        /// <summary>joint value at which the part is closed: 0, or one of the limits where the part rests open. A host's joint may have it; outside of its limits it is moved to the nearer one</summary>
+        public float Closed;
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static Joint New() => new Joint { StructSize = (uint)sizeof(Joint) };
@@ -1241,6 +1253,8 @@ namespace DragMesh
         public float JointConfidence;
         /// <summary>DM_BASIS_*: where the joint in force comes from</summary>
         public int JointBasis;
+        /// <summary>how far the part is open: 0 where it is closed (dm_joint.closed), 1 at the end farther from there, between them by the joint value; 0 for joints without limits</summary>
+        public float OpenShare;
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static DragState New() => new DragState { StructSize = (uint)sizeof(DragState) };
@@ -1891,9 +1905,13 @@ namespace DragMesh
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_gltf_get_asset_node(IntPtr gltf, uint index, uint* out_node);
 
-        /// <summary>1 when pivots tell nothing: the file has several dm_gltf_nodes, and the origins of all are one point, as exporters leave them that apply the transforms to the vertices. 0: they may tell, or gltf is NULL.</summary>
+        /// <summary>1 when pivots tell nothing: the file has several dm_gltf_nodes, and the origins of all follow one rule, as exporters leave them: they are one point, or lie at the same place of each node's box (middle, lowest corner, middle of a face …). 0: some may tell, or gltf is NULL.</summary>
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_gltf_pivots_are_lost(IntPtr gltf);
+
+        /// <summary>Writes what is known of where a node's pivot lies (DM_PIVOT_*), for dm_part_desc.pivot_kind. A rule holds where the node with the largest surface and more than half of all follow it: DM_PIVOT_DEFAULT is the answer for what follows it, DM_PIVOT_SET for the others. DM_PIVOT_UNKNOWN: no rule holds, or the node has no triangles. name: as for dm_gltf_get_hints. Errors: NOT_FOUND.</summary>
+        [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_gltf_get_pivot_kind(IntPtr gltf, byte* name, int* out_kind);
 
         /// <summary>1 when triangles of the file are not in the merged mesh: a triangle, a primitive or a node could not be read, or only one of its instances was. Warnings of dm_gltf_open name them. Pass DM_PREPARE_MESH_INCOMPLETE then. 0: all are there, or gltf is NULL.</summary>
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]

@@ -27,7 +27,7 @@ static const number_field feel_fields[] = {
 #define JOINT(name)                                                                                                    \
     { #name, offsetof(dm_joint, name) }
 static const number_field joint_fields[] = {
-    JOINT(type_confidence), JOINT(joint_confidence), JOINT(pitch), JOINT(lower), JOINT(upper),
+    JOINT(type_confidence), JOINT(joint_confidence), JOINT(pitch), JOINT(lower), JOINT(upper), JOINT(closed),
 };
 #undef JOINT
 
@@ -201,5 +201,6 @@ gd_value value_of_drag_state(const dm_drag_state* state) {
     gd_put(&out, "status", gd_of_int(state->status));
     gd_put(&out, "joint_confidence", gd_of_float((double)state->joint_confidence));
     gd_put(&out, "joint_basis", gd_of_int(state->joint_basis));
+    gd_put(&out, "open_share", gd_of_float((double)state->open_share));
     return out;
 }

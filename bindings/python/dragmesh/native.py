@@ -70,6 +70,9 @@ DM_UINT8 = 2
 DM_INT32 = 3
 DM_PER_VERTEX = 0
 DM_PER_FACE = 1
+DM_PIVOT_UNKNOWN = 0
+DM_PIVOT_DEFAULT = 1
+DM_PIVOT_SET = 2
 DM_JOINT_FROM_NETWORK = 0
 DM_JOINT_FROM_GEOMETRY = 1
 DM_JOINT_FROM_HOST = 2
@@ -351,7 +354,7 @@ class DragHint(Struct):
 
 
 class Pivot(Struct):
-    """Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin. Leave it out where all nodes of an asset, the body's too, stand at one place: its file has lost them, and an edge that happens to lie there would be taken for a hinge."""
+    """Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin. Leave it out, or say DM_PIVOT_DEFAULT, where all nodes of an asset, the body's too, have theirs by one rule: at one point, or at the same place of their boxes. A program has put them there, and an edge that happens to lie there would be taken for a hinge."""
 
     origin: Vec3
     axes: Any
@@ -369,6 +372,8 @@ class PartDesc(Sized):
     drag: Any
     label: Any
     pivot: Any
+    pivot_kind: int
+    reserved: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("id", c.c_uint32),
@@ -377,6 +382,8 @@ class PartDesc(Sized):
         ("drag", c.POINTER(DragHint)),
         ("label", c.c_char_p),
         ("pivot", c.POINTER(Pivot)),
+        ("pivot_kind", c.c_int32),
+        ("reserved", c.c_uint32),
     ]
 
 
@@ -394,6 +401,7 @@ class Joint(Sized):
     upper: float
     source: int
     evidence: Any
+    closed: float
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("type", c.c_int32),
@@ -406,6 +414,7 @@ class Joint(Sized):
         ("upper", c.c_float),
         ("source", c.c_int32),
         ("evidence", c.c_uint32 * 4),
+        ("closed", c.c_float),
     ]
 
 
@@ -905,6 +914,7 @@ class DragState(Sized):
     status: int
     joint_confidence: float
     joint_basis: int
+    open_share: float
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("pose", Pose),
@@ -921,6 +931,7 @@ class DragState(Sized):
         ("status", c.c_uint32),
         ("joint_confidence", c.c_float),
         ("joint_basis", c.c_int32),
+        ("open_share", c.c_float),
     ]
 
 
@@ -1408,6 +1419,7 @@ GLTF_FUNCTIONS = {  # name: (result, arguments)
     "dm_gltf_get_asset": (c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(c.POINTER(AssetNode)), c.POINTER(c.c_uint32)]),
     "dm_gltf_get_asset_node": (c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(c.c_uint32)]),
     "dm_gltf_pivots_are_lost": (c.c_int32, [c.c_void_p]),
+    "dm_gltf_get_pivot_kind": (c.c_int32, [c.c_void_p, c.c_char_p, c.POINTER(c.c_int32)]),
     "dm_gltf_left_out": (c.c_int32, [c.c_void_p]),
     "dm_gltf_read_mask": (c.c_int32, [c.c_void_p, c.c_void_p, c.c_size_t, c.POINTER(c.c_int64), c.POINTER(c.c_uint8), c.POINTER(c.c_int32), c.POINTER(c.c_int32)]),
     "dm_gltf_export": (c.c_int32, [c.c_void_p, c.POINTER(GltfTrack), c.c_uint32, c.POINTER(c.c_void_p), c.POINTER(c.c_size_t)]),
@@ -1438,10 +1450,10 @@ LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}
     MeshDesc: {8: (96, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 76, 80, 84, 88, 92]), 4: (96, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 76, 80, 84, 88, 92])},
     DragHint: {8: (24, [0, 12]), 4: (24, [0, 12])},
     Pivot: {8: (48, [0, 12]), 4: (48, [0, 12])},
-    PartDesc: {8: (40, [0, 4, 8, 12, 16, 24, 32]), 4: (28, [0, 4, 8, 12, 16, 20, 24])},
-    Joint: {8: (72, [0, 4, 8, 12, 16, 20, 32, 44, 48, 52, 56]), 4: (72, [0, 4, 8, 12, 16, 20, 32, 44, 48, 52, 56])},
+    PartDesc: {8: (48, [0, 4, 8, 12, 16, 24, 32, 40, 44]), 4: (36, [0, 4, 8, 12, 16, 20, 24, 28, 32])},
+    Joint: {8: (76, [0, 4, 8, 12, 16, 20, 32, 44, 48, 52, 56, 72]), 4: (76, [0, 4, 8, 12, 16, 20, 32, 44, 48, 52, 56, 72])},
     JointFrame: {8: (88, [0, 4, 8, 20, 32, 44, 56, 72, 76, 80, 84]), 4: (88, [0, 4, 8, 20, 32, 44, 56, 72, 76, 80, 84])},
-    PartState: {8: (120, [0, 4, 8, 12, 16, 48]), 4: (120, [0, 4, 8, 12, 16, 48])},
+    PartState: {8: (124, [0, 4, 8, 12, 16, 48]), 4: (124, [0, 4, 8, 12, 16, 48])},
     PartInfo: {8: (56, [0, 4, 8, 12, 16, 28, 40, 52]), 4: (56, [0, 4, 8, 12, 16, 28, 40, 52])},
     JointEnd: {8: (72, [0, 4, 36, 48, 60]), 4: (72, [0, 4, 36, 48, 60])},
     Hypothesis: {8: (160, [0, 4, 8, 16]), 4: (156, [0, 4, 8, 12])},
@@ -1460,7 +1472,7 @@ LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}
     DragDesc: {8: (96, [0, 4, 8, 16, 28, 32, 56, 60, 64, 72, 84, 88]), 4: (88, [0, 4, 8, 16, 28, 32, 56, 60, 64, 68, 80, 84])},
     Hand: {8: (56, [0, 4, 28, 40, 44]), 4: (56, [0, 4, 28, 40, 44])},
     DragInput: {8: (136, [0, 4, 8, 64, 120, 128, 132]), 4: (136, [0, 4, 8, 64, 120, 128, 132])},
-    DragState: {8: (96, [0, 4, 36, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92]), 4: (96, [0, 4, 36, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92])},
+    DragState: {8: (100, [0, 4, 36, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92, 96]), 4: (100, [0, 4, 36, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92, 96])},
     ReleaseDesc: {8: (32, [0, 4, 8, 12, 16, 20]), 4: (32, [0, 4, 8, 12, 16, 20])},
     ReleasePlan: {8: (24, [0, 4, 8, 12, 16, 20]), 4: (24, [0, 4, 8, 12, 16, 20])},
     Camera: {8: (56, [0, 4, 8, 20, 32, 44, 48, 52]), 4: (56, [0, 4, 8, 20, 32, 44, 48, 52])},

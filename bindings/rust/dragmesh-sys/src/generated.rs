@@ -117,6 +117,12 @@ pub const DM_UINT8: i32 = 2;
 pub const DM_INT32: i32 = 3;
 pub const DM_PER_VERTEX: i32 = 0;
 pub const DM_PER_FACE: i32 = 1;
+/// nothing: it is judged by those of the other parts
+pub const DM_PIVOT_UNKNOWN: i32 = 0;
+/// where a program puts them all: it says nothing
+pub const DM_PIVOT_DEFAULT: i32 = 1;
+/// the other nodes' follow a rule and it does not: somebody has set it, and it says the more
+pub const DM_PIVOT_SET: i32 = 2;
 pub const DM_JOINT_FROM_NETWORK: i32 = 0;
 pub const DM_JOINT_FROM_GEOMETRY: i32 = 1;
 /// certain, limits too: no pull changes it
@@ -258,13 +264,13 @@ pub const DM_GO_AUTO: i32 = 0;
 pub const DM_GO_STAY: i32 = 1;
 /// goes on to the end of the joint that lies the way it was pulled
 pub const DM_GO_OPEN: i32 = 2;
-/// falls back to rest
+/// falls back to where it is closed: dm\_joint.closed, which is rest unless it rests open
 pub const DM_GO_CLOSE: i32 = 3;
 /// does once more what it did after the last release
 pub const DM_GO_REPLAY: i32 = 4;
 /// stops dead
 pub const DM_GO_FREEZE: i32 = 5;
-/// opens when it is nearer to rest than to its open end, else closes
+/// opens when it is nearer to where it is closed than to its open end, else closes
 pub const DM_GO_TOGGLE: i32 = 6;
 pub const DM_INTENT_AUTO: i32 = 0;
 pub const DM_INTENT_STAY: i32 = 1;
@@ -565,7 +571,7 @@ impl Default for dm_drag_hint {
     }
 }
 
-/// Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin. Leave it out where all nodes of an asset, the body's too, stand at one place: its file has lost them, and an edge that happens to lie there would be taken for a hinge.
+/// Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin. Leave it out, or say DM\_PIVOT\_DEFAULT, where all nodes of an asset, the body's too, have theirs by one rule: at one point, or at the same place of their boxes. A program has put them there, and an edge that happens to lie there would be taken for a hinge.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_pivot {
@@ -598,6 +604,10 @@ pub struct dm_part_desc {
     pub label: *const c_char,
     /// optional evidence
     pub pivot: *const dm_pivot,
+    /// DM\_PIVOT\_\*: whether somebody has set the pivot
+    pub pivot_kind: i32,
+    /// 0
+    pub reserved: u32,
 }
 
 impl Default for dm_part_desc {
@@ -634,6 +644,8 @@ pub struct dm_joint {
     pub source: i32,
     /// in a dm\_part\_state: what the part's pulls so far say of all its joints. dm\_drag\_end writes it, dm\_drag\_begin reads it; keep the four numbers as they are. Zeros: no pull said anything. Elsewhere 0, and not read
     pub evidence: [u32; 4],
+    /// joint value at which the part is closed: 0, or one of the limits where the part rests open. A host's joint may have it; outside of its limits it is moved to the nearer one
+    pub closed: f32,
 }
 
 impl Default for dm_joint {
@@ -1269,6 +1281,8 @@ pub struct dm_drag_state {
     pub joint_confidence: f32,
     /// DM\_BASIS\_\*: where the joint in force comes from
     pub joint_basis: i32,
+    /// how far the part is open: 0 where it is closed (dm\_joint.closed), 1 at the end farther from there, between them by the joint value; 0 for joints without limits
+    pub open_share: f32,
 }
 
 impl Default for dm_drag_state {
@@ -1863,8 +1877,10 @@ extern "C" {
     pub fn dm_gltf_get_asset(gltf: *mut dm_gltf, flags: u32, out_nodes: *const *const dm_asset_node, out_count: *mut u32) -> dm_result;
     /// The index in the file's nodes array of a node of that list. Errors: those, NOT\_FOUND.
     pub fn dm_gltf_get_asset_node(gltf: *mut dm_gltf, index: u32, out_node: *mut u32) -> dm_result;
-    /// 1 when pivots tell nothing: the file has several dm\_gltf\_nodes, and the origins of all are one point, as exporters leave them that apply the transforms to the vertices. 0: they may tell, or gltf is NULL.
+    /// 1 when pivots tell nothing: the file has several dm\_gltf\_nodes, and the origins of all follow one rule, as exporters leave them: they are one point, or lie at the same place of each node's box (middle, lowest corner, middle of a face …). 0: some may tell, or gltf is NULL.
     pub fn dm_gltf_pivots_are_lost(gltf: *const dm_gltf) -> i32;
+    /// Writes what is known of where a node's pivot lies (DM\_PIVOT\_\*), for dm\_part\_desc.pivot\_kind. A rule holds where the node with the largest surface and more than half of all follow it: DM\_PIVOT\_DEFAULT is the answer for what follows it, DM\_PIVOT\_SET for the others. DM\_PIVOT\_UNKNOWN: no rule holds, or the node has no triangles. name: as for dm\_gltf\_get\_hints. Errors: NOT\_FOUND.
+    pub fn dm_gltf_get_pivot_kind(gltf: *const dm_gltf, name: *const c_char, out_kind: *mut i32) -> dm_result;
     /// 1 when triangles of the file are not in the merged mesh: a triangle, a primitive or a node could not be read, or only one of its instances was. Warnings of dm\_gltf\_open name them. Pass DM\_PREPARE\_MESH\_INCOMPLETE then. 0: all are there, or gltf is NULL.
     pub fn dm_gltf_left_out(gltf: *const dm_gltf) -> i32;
     /// Reads a part mask (.npy or JSON array, one integer a vertex or one a face, in the order of the file where bones sort the merged mesh otherwise). mask\_value NULL: non-zero is moving. out\_part\_ids: as many bytes as max(vertex\_count, face\_count). out\_ambiguous (may be NULL): both lengths fit, and per vertex was taken. Errors: BAD\_DATA, INVALID\_ARGUMENT (neither length fits), EMPTY\_MASK, FULL\_MASK.
@@ -1915,10 +1931,10 @@ mod tests {
         check!(dm_mesh_desc, 96, struct_size 0, position_stride 4, positions 8, vertex_count 16, position_bytes 24, indices 32, index_count 40, index_bytes 48, part_ids 56, part_id_bytes 64, part_id_stride 72, position_format 76, index_format 80, part_id_format 84, part_id_scope 88, reserved 92);
         check!(dm_drag_hint, 24, point 0, vector 12);
         check!(dm_pivot, 48, origin 0, axes 12);
-        check!(dm_part_desc, 40, struct_size 0, id 4, parent 8, joint_type 12, drag 16, label 24, pivot 32);
-        check!(dm_joint, 72, struct_size 0, type_ 4, type_confidence 8, joint_confidence 12, pitch 16, axis 20, origin 32, lower 44, upper 48, source 52, evidence 56);
+        check!(dm_part_desc, 48, struct_size 0, id 4, parent 8, joint_type 12, drag 16, label 24, pivot 32, pivot_kind 40, reserved 44);
+        check!(dm_joint, 76, struct_size 0, type_ 4, type_confidence 8, joint_confidence 12, pitch 16, axis 20, origin 32, lower 44, upper 48, source 52, evidence 56, closed 72);
         check!(dm_joint_frame, 88, struct_size 0, type_ 4, origin 8, x 20, y 32, z 44, rotation 56, lower 72, upper 76, limits 80, pitch 84);
-        check!(dm_part_state, 120, struct_size 0, value 4, velocity 8, status 12, pose 16, joint 48);
+        check!(dm_part_state, 124, struct_size 0, value 4, velocity 8, status 12, pose 16, joint 48);
         check!(dm_part_info, 56, struct_size 0, id 4, parent 8, triangle_count 12, box_min 16, box_max 28, centre 40, area 52);
         check!(dm_joint_end, 72, value 0, pose 4, box_min 36, box_max 48, centre 60);
         check!(dm_hypothesis, 160, struct_size 0, reserved 4, joint 8, ends 16);
@@ -1937,7 +1953,7 @@ mod tests {
         check!(dm_drag_desc, 96, struct_size 0, part_id 4, object 8, grab_point 16, start_value 28, feel 32, flags 56, limit_give 60, state 64, scale 72, reserved 84, rules 88);
         check!(dm_hand, 56, kind 0, ray 4, point 28, amount 40, grab_point 44);
         check!(dm_drag_input, 136, struct_size 0, flags 4, hand 8, second 64, handles 120, lower 128, upper 132);
-        check!(dm_drag_state, 96, struct_size 0, pose 4, grab_point 36, value 48, target 52, velocity 56, at_limit 60, phase 64, changes 68, events 72, detents 76, impact 80, status 84, joint_confidence 88, joint_basis 92);
+        check!(dm_drag_state, 100, struct_size 0, pose 4, grab_point 36, value 48, target 52, velocity 56, at_limit 60, phase 64, changes 68, events 72, detents 76, impact 80, status 84, joint_confidence 88, joint_basis 92, open_share 96);
         check!(dm_release_desc, 32, struct_size 0, intent 4, duration 8, seed 12, flags 16, away_from 20);
         check!(dm_release_plan, 24, struct_size 0, intent 4, start_value 8, end_value 12, duration 16, from_network 20);
         check!(dm_camera, 56, struct_size 0, fov_y 4, eye 8, forward 20, up 32, viewport_width 44, viewport_height 48, ortho_height 52);
@@ -1969,10 +1985,10 @@ mod tests {
         check!(dm_mesh_desc, 96, struct_size 0, position_stride 4, positions 8, vertex_count 16, position_bytes 24, indices 32, index_count 40, index_bytes 48, part_ids 56, part_id_bytes 64, part_id_stride 72, position_format 76, index_format 80, part_id_format 84, part_id_scope 88, reserved 92);
         check!(dm_drag_hint, 24, point 0, vector 12);
         check!(dm_pivot, 48, origin 0, axes 12);
-        check!(dm_part_desc, 28, struct_size 0, id 4, parent 8, joint_type 12, drag 16, label 20, pivot 24);
-        check!(dm_joint, 72, struct_size 0, type_ 4, type_confidence 8, joint_confidence 12, pitch 16, axis 20, origin 32, lower 44, upper 48, source 52, evidence 56);
+        check!(dm_part_desc, 36, struct_size 0, id 4, parent 8, joint_type 12, drag 16, label 20, pivot 24, pivot_kind 28, reserved 32);
+        check!(dm_joint, 76, struct_size 0, type_ 4, type_confidence 8, joint_confidence 12, pitch 16, axis 20, origin 32, lower 44, upper 48, source 52, evidence 56, closed 72);
         check!(dm_joint_frame, 88, struct_size 0, type_ 4, origin 8, x 20, y 32, z 44, rotation 56, lower 72, upper 76, limits 80, pitch 84);
-        check!(dm_part_state, 120, struct_size 0, value 4, velocity 8, status 12, pose 16, joint 48);
+        check!(dm_part_state, 124, struct_size 0, value 4, velocity 8, status 12, pose 16, joint 48);
         check!(dm_part_info, 56, struct_size 0, id 4, parent 8, triangle_count 12, box_min 16, box_max 28, centre 40, area 52);
         check!(dm_joint_end, 72, value 0, pose 4, box_min 36, box_max 48, centre 60);
         check!(dm_hypothesis, 156, struct_size 0, reserved 4, joint 8, ends 12);
@@ -1991,7 +2007,7 @@ mod tests {
         check!(dm_drag_desc, 88, struct_size 0, part_id 4, object 8, grab_point 16, start_value 28, feel 32, flags 56, limit_give 60, state 64, scale 68, reserved 80, rules 84);
         check!(dm_hand, 56, kind 0, ray 4, point 28, amount 40, grab_point 44);
         check!(dm_drag_input, 136, struct_size 0, flags 4, hand 8, second 64, handles 120, lower 128, upper 132);
-        check!(dm_drag_state, 96, struct_size 0, pose 4, grab_point 36, value 48, target 52, velocity 56, at_limit 60, phase 64, changes 68, events 72, detents 76, impact 80, status 84, joint_confidence 88, joint_basis 92);
+        check!(dm_drag_state, 100, struct_size 0, pose 4, grab_point 36, value 48, target 52, velocity 56, at_limit 60, phase 64, changes 68, events 72, detents 76, impact 80, status 84, joint_confidence 88, joint_basis 92, open_share 96);
         check!(dm_release_desc, 32, struct_size 0, intent 4, duration 8, seed 12, flags 16, away_from 20);
         check!(dm_release_plan, 24, struct_size 0, intent 4, start_value 8, end_value 12, duration 16, from_network 20);
         check!(dm_camera, 56, struct_size 0, fov_y 4, eye 8, forward 20, up 32, viewport_width 44, viewport_height 48, ortho_height 52);
