@@ -18,6 +18,14 @@ static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+static double least(double a, double b) {
+    return b < a ? b : a;
+}
+
+static double most_of(double a, double b) {
+    return b > a ? b : a;
+}
+
 static double length(const double a[3]) {
     return sqrt(dot(a, a));
 }
@@ -54,8 +62,8 @@ void dmi_pivot_gauge_add_face(dmi_pivot_gauge* gauge, const double corners[3][3]
         for (int k = 0; k < FRAMES * 3; k++) {
             const int frame = k / 3, row = k % 3;
             const double at = dot(arm[i], axes_of(gauge, frame)[row]);
-            gauge->low[frame][row] = fmin(gauge->low[frame][row], at);
-            gauge->high[frame][row] = fmax(gauge->high[frame][row], at);
+            gauge->low[frame][row] = least(gauge->low[frame][row], at);
+            gauge->high[frame][row] = most_of(gauge->high[frame][row], at);
         }
     }
     for (int k = 0; k < 3; k++) first[k] = arm[1][k] - arm[0][k], second[k] = arm[2][k] - arm[0][k];
@@ -123,7 +131,7 @@ static bool follows(const dmi_pivot_witness* node, int rule, const dmi_pivot_wit
 /* Returns whether two nodes may be copies of one mesh, of whatever scale. */
 static bool are_copies(const dmi_pivot_witness* a, const dmi_pivot_witness* b) {
     const double *x = a->mesh_sides, *y = b->mesh_sides;
-    const double most = fmax(x[0], fmax(x[1], x[2])), other = fmax(y[0], fmax(y[1], y[2]));
+    const double most = most_of(x[0], most_of(x[1], x[2])), other = most_of(y[0], most_of(y[1], y[2]));
     if (a->face_count != b->face_count) return false;
     for (int k = 0; k < 3; k++)
         if (fabs(x[k] * other - y[k] * most) > SAME_SIDE * most * other) return false;
