@@ -497,7 +497,7 @@ static void the_table_ends_with_the_file(void** state) {
     assert_bad_word(&w, &file, entry + 12, 1);
     assert_bad_word(&w, &file, entry + 20, 1);
     assert_non_null(strstr(w.messages.text, "lies outside the file"));
-    for (int s = 0; s < DMI_DMO_SECTIONS; s++) { /* each section a word longer, and shorter */
+    for (int s = 0; s < (int)count; s++) { /* each section a word longer, and shorter */
         uint8_t* length = file.data + DMI_DMO_HEADER_SIZE + (size_t)s * DMI_DMO_ENTRY_SIZE + 16;
         uint32_t had;
         memcpy(&had, length, 4);
