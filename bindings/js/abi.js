@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: 5d91f4e7ebc7084a
+// Hash of the description: 09f0794cfd5af2a8
 
 export const VERSION = '0.3.0-dev';
 export const VERSION_NUMBER = 12287;

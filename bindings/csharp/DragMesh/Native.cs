@@ -305,7 +305,7 @@ namespace DragMesh
         public const int DM_GLTF_RIG_USDA = 8;
         /// <summary>rigged.tscn: Godot 4</summary>
         public const int DM_GLTF_RIG_TSCN = 16;
-        /// <summary>rigged.glb: the file with an animation that opens and closes all parts, with KHR_physics_rigid_bodies, KHR_implicit_shapes and KHR_node_selectability, and the joints in `extras` as dm_gltf_get_asset reads them</summary>
+        /// <summary>rigged.glb: the file with an animation that opens and closes all parts, with KHR_physics_rigid_bodies, KHR_implicit_shapes and KHR_node_selectability, and the joints in `extras` as dm_gltf_get_asset reads them. What a clip of the file moves, with all that it carries, is left to that clip: it has its joint in `extras` alone</summary>
         public const int DM_GLTF_RIG_GLB = 32;
     }
 

@@ -299,7 +299,7 @@ pub const DM_GLTF_RIG_SDF: i32 = 4;
 pub const DM_GLTF_RIG_USDA: i32 = 8;
 /// rigged.tscn: Godot 4
 pub const DM_GLTF_RIG_TSCN: i32 = 16;
-/// rigged.glb: the file with an animation that opens and closes all parts, with KHR\_physics\_rigid\_bodies, KHR\_implicit\_shapes and KHR\_node\_selectability, and the joints in \`extras\` as dm\_gltf\_get\_asset reads them
+/// rigged.glb: the file with an animation that opens and closes all parts, with KHR\_physics\_rigid\_bodies, KHR\_implicit\_shapes and KHR\_node\_selectability, and the joints in \`extras\` as dm\_gltf\_get\_asset reads them. What a clip of the file moves, with all that it carries, is left to that clip: it has its joint in \`extras\` alone
 pub const DM_GLTF_RIG_GLB: i32 = 32;
 
 pub type dm_result = i32;
