@@ -332,6 +332,7 @@ struct dm_context_desc {
     uint32_t reserved;
     dm_progress_callback progress;
     void* progress_user;
+    uint64_t kept_bytes;
 };
 struct dm_memory_info {
     uint32_t struct_size;
@@ -340,6 +341,7 @@ struct dm_memory_info {
     uint64_t peak_bytes;
     uint64_t allocations;
     uint64_t pick_bytes;
+    uint64_t kept_bytes;
 };
 struct dm_model_desc {
     uint32_t struct_size;
@@ -479,7 +481,7 @@ struct dm_object_info {
     float size;
     uint32_t pickable;
     uint32_t degraded;
-    uint32_t reserved;
+    int32_t picking;
 };
 struct dm_asset_clip {
     const char* name;
@@ -743,6 +745,7 @@ struct dm_core_1 {
     dm_result (*asset_get_part_nodes)(dm_context* context, dm_asset asset, uint32_t index, uint32_t* out_nodes, uint32_t capacity);
     dm_result (*asset_get_node_parts)(dm_context* context, dm_asset asset, uint32_t* out_parts, uint32_t capacity);
     dm_result (*asset_make_object)(dm_context* context, dm_asset asset, dm_object* out_object);
+    dm_result (*context_trim)(dm_context* context);
 };
 struct dm_gltf_files {
     void* user;
@@ -830,6 +833,7 @@ const void* dm_get_interface(const char* id);
 dm_result dm_context_create(const dm_context_desc* desc, dm_context** out_context);
 void dm_context_destroy(dm_context* context);
 dm_result dm_context_get_memory(const dm_context* context, dm_memory_info* out_info);
+dm_result dm_context_trim(dm_context* context);
 dm_result dm_model_load(dm_context* context, const dm_model_desc* desc, dm_model* out_model);
 dm_result dm_model_unload(dm_context* context, dm_model model);
 dm_result dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag, uint8_t* out_face_ids, uint64_t face_count);

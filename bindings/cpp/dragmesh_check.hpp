@@ -191,7 +191,7 @@ static_assert(std::is_same<decltype(dm_log::message), void (*)(void *, int32_t, 
 static_assert(sizeof(void*) != 8 || sizeof(dm_jobs) == 16, "dm_jobs has another size");
 static_assert(std::is_same<decltype(dm_jobs::user), void *>::value && (sizeof(void*) != 8 || offsetof(dm_jobs, user) == 0), "dm_jobs.user is another field");
 static_assert(std::is_same<decltype(dm_jobs::parallel_for), int32_t (*)(void *, uint32_t, dm_task, void *)>::value && (sizeof(void*) != 8 || offsetof(dm_jobs, parallel_for) == 8), "dm_jobs.parallel_for is another field");
-static_assert(sizeof(void*) != 8 || sizeof(dm_context_desc) == 128, "dm_context_desc has another size");
+static_assert(sizeof(void*) != 8 || sizeof(dm_context_desc) == 136, "dm_context_desc has another size");
 static_assert(std::is_same<decltype(dm_context_desc::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, struct_size) == 0), "dm_context_desc.struct_size is another field");
 static_assert(std::is_same<decltype(dm_context_desc::axes), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, axes) == 4), "dm_context_desc.axes is another field");
 static_assert(std::is_same<decltype(dm_context_desc::unit_in_metres), float>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, unit_in_metres) == 8), "dm_context_desc.unit_in_metres is another field");
@@ -203,13 +203,15 @@ static_assert(std::is_same<decltype(dm_context_desc::picking), int32_t>::value &
 static_assert(std::is_same<decltype(dm_context_desc::reserved), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, reserved) == 108), "dm_context_desc.reserved is another field");
 static_assert(std::is_same<decltype(dm_context_desc::progress), dm_progress_callback>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, progress) == 112), "dm_context_desc.progress is another field");
 static_assert(std::is_same<decltype(dm_context_desc::progress_user), void *>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, progress_user) == 120), "dm_context_desc.progress_user is another field");
-static_assert(sizeof(void*) != 8 || sizeof(dm_memory_info) == 40, "dm_memory_info has another size");
+static_assert(std::is_same<decltype(dm_context_desc::kept_bytes), uint64_t>::value && (sizeof(void*) != 8 || offsetof(dm_context_desc, kept_bytes) == 128), "dm_context_desc.kept_bytes is another field");
+static_assert(sizeof(void*) != 8 || sizeof(dm_memory_info) == 48, "dm_memory_info has another size");
 static_assert(std::is_same<decltype(dm_memory_info::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_memory_info, struct_size) == 0), "dm_memory_info.struct_size is another field");
 static_assert(std::is_same<decltype(dm_memory_info::reserved), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_memory_info, reserved) == 4), "dm_memory_info.reserved is another field");
 static_assert(std::is_same<decltype(dm_memory_info::bytes), uint64_t>::value && (sizeof(void*) != 8 || offsetof(dm_memory_info, bytes) == 8), "dm_memory_info.bytes is another field");
 static_assert(std::is_same<decltype(dm_memory_info::peak_bytes), uint64_t>::value && (sizeof(void*) != 8 || offsetof(dm_memory_info, peak_bytes) == 16), "dm_memory_info.peak_bytes is another field");
 static_assert(std::is_same<decltype(dm_memory_info::allocations), uint64_t>::value && (sizeof(void*) != 8 || offsetof(dm_memory_info, allocations) == 24), "dm_memory_info.allocations is another field");
 static_assert(std::is_same<decltype(dm_memory_info::pick_bytes), uint64_t>::value && (sizeof(void*) != 8 || offsetof(dm_memory_info, pick_bytes) == 32), "dm_memory_info.pick_bytes is another field");
+static_assert(std::is_same<decltype(dm_memory_info::kept_bytes), uint64_t>::value && (sizeof(void*) != 8 || offsetof(dm_memory_info, kept_bytes) == 40), "dm_memory_info.kept_bytes is another field");
 static_assert(sizeof(void*) != 8 || sizeof(dm_model_desc) == 56, "dm_model_desc has another size");
 static_assert(std::is_same<decltype(dm_model_desc::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_model_desc, struct_size) == 0), "dm_model_desc.struct_size is another field");
 static_assert(std::is_same<decltype(dm_model_desc::kinematics), const void *>::value && (sizeof(void*) != 8 || offsetof(dm_model_desc, kinematics) == 8), "dm_model_desc.kinematics is another field");
@@ -335,7 +337,7 @@ static_assert(std::is_same<decltype(dm_object_info::box_max), dm_vec3>::value &&
 static_assert(std::is_same<decltype(dm_object_info::size), float>::value && (sizeof(void*) != 8 || offsetof(dm_object_info, size) == 48), "dm_object_info.size is another field");
 static_assert(std::is_same<decltype(dm_object_info::pickable), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_object_info, pickable) == 52), "dm_object_info.pickable is another field");
 static_assert(std::is_same<decltype(dm_object_info::degraded), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_object_info, degraded) == 56), "dm_object_info.degraded is another field");
-static_assert(std::is_same<decltype(dm_object_info::reserved), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_object_info, reserved) == 60), "dm_object_info.reserved is another field");
+static_assert(std::is_same<decltype(dm_object_info::picking), int32_t>::value && (sizeof(void*) != 8 || offsetof(dm_object_info, picking) == 60), "dm_object_info.picking is another field");
 static_assert(sizeof(void*) != 8 || sizeof(dm_asset_clip) == 32, "dm_asset_clip has another size");
 static_assert(std::is_same<decltype(dm_asset_clip::name), const char *>::value && (sizeof(void*) != 8 || offsetof(dm_asset_clip, name) == 0), "dm_asset_clip.name is another field");
 static_assert(std::is_same<decltype(dm_asset_clip::times), const float *>::value && (sizeof(void*) != 8 || offsetof(dm_asset_clip, times) == 8), "dm_asset_clip.times is another field");
@@ -516,7 +518,7 @@ static_assert(std::is_same<decltype(dm_hit::v), float>::value && (sizeof(void*) 
 static_assert(std::is_same<decltype(dm_hit::point), dm_vec3>::value && (sizeof(void*) != 8 || offsetof(dm_hit, point) == 36), "dm_hit.point is another field");
 static_assert(std::is_same<decltype(dm_hit::normal), dm_vec3>::value && (sizeof(void*) != 8 || offsetof(dm_hit, normal) == 48), "dm_hit.normal is another field");
 static_assert(std::is_same<decltype(dm_hit::object_point), dm_vec3>::value && (sizeof(void*) != 8 || offsetof(dm_hit, object_point) == 60), "dm_hit.object_point is another field");
-static_assert(sizeof(void*) != 8 || sizeof(dm_core_1) == 496, "dm_core_1 has another size");
+static_assert(sizeof(void*) != 8 || sizeof(dm_core_1) == 504, "dm_core_1 has another size");
 static_assert(std::is_same<decltype(dm_core_1::struct_size), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, struct_size) == 0), "dm_core_1.struct_size is another field");
 static_assert(std::is_same<decltype(dm_core_1::reserved), uint32_t>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, reserved) == 4), "dm_core_1.reserved is another field");
 static_assert(std::is_same<decltype(dm_core_1::result_string), const char *(*)(dm_result)>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, result_string) == 8), "dm_core_1.result_string is another field");
@@ -580,6 +582,7 @@ static_assert(std::is_same<decltype(dm_core_1::asset_get_joint), dm_result (*)(d
 static_assert(std::is_same<decltype(dm_core_1::asset_get_part_nodes), dm_result (*)(dm_context *, dm_asset, uint32_t, uint32_t *, uint32_t)>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, asset_get_part_nodes) == 472), "dm_core_1.asset_get_part_nodes is another field");
 static_assert(std::is_same<decltype(dm_core_1::asset_get_node_parts), dm_result (*)(dm_context *, dm_asset, uint32_t *, uint32_t)>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, asset_get_node_parts) == 480), "dm_core_1.asset_get_node_parts is another field");
 static_assert(std::is_same<decltype(dm_core_1::asset_make_object), dm_result (*)(dm_context *, dm_asset, dm_object *)>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, asset_make_object) == 488), "dm_core_1.asset_make_object is another field");
+static_assert(std::is_same<decltype(dm_core_1::context_trim), dm_result (*)(dm_context *)>::value && (sizeof(void*) != 8 || offsetof(dm_core_1, context_trim) == 496), "dm_core_1.context_trim is another field");
 static_assert(sizeof(void*) != 8 || sizeof(dm_gltf_files) == 24, "dm_gltf_files has another size");
 static_assert(std::is_same<decltype(dm_gltf_files::user), void *>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_files, user) == 0), "dm_gltf_files.user is another field");
 static_assert(std::is_same<decltype(dm_gltf_files::open), int32_t (*)(void *, const char *, const void **, size_t *)>::value && (sizeof(void*) != 8 || offsetof(dm_gltf_files, open) == 8), "dm_gltf_files.open is another field");
@@ -658,6 +661,7 @@ static_assert(std::is_same<decltype(&dm_get_interface), const void * (*)(const c
 static_assert(std::is_same<decltype(&dm_context_create), dm_result (*)(const dm_context_desc *, dm_context **)>::value, "dm_context_create is another function");
 static_assert(std::is_same<decltype(&dm_context_destroy), void (*)(dm_context *)>::value, "dm_context_destroy is another function");
 static_assert(std::is_same<decltype(&dm_context_get_memory), dm_result (*)(const dm_context *, dm_memory_info *)>::value, "dm_context_get_memory is another function");
+static_assert(std::is_same<decltype(&dm_context_trim), dm_result (*)(dm_context *)>::value, "dm_context_trim is another function");
 static_assert(std::is_same<decltype(&dm_model_load), dm_result (*)(dm_context *, const dm_model_desc *, dm_model *)>::value, "dm_model_load is another function");
 static_assert(std::is_same<decltype(&dm_model_unload), dm_result (*)(dm_context *, dm_model)>::value, "dm_model_unload is another function");
 static_assert(std::is_same<decltype(&dm_mesh_find_part), dm_result (*)(dm_context *, const dm_mesh_desc *, const dm_drag_hint *, uint8_t *, uint64_t)>::value, "dm_mesh_find_part is another function");

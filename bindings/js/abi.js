@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: 09f0794cfd5af2a8
+// Hash of the description: febaa697f8b945a6
 
 export const VERSION = '0.3.0-dev';
 export const VERSION_NUMBER = 12287;
@@ -86,12 +86,6 @@ export const IntegerFormat = Object.freeze({
 export const PartIdScope = Object.freeze({
     VERTEX: 0,
     FACE: 1,
-});
-
-export const PivotKind = Object.freeze({
-    UNKNOWN: 0,
-    DEFAULT: 1,
-    SET: 2,
 });
 
 export const JointSource = Object.freeze({
@@ -280,7 +274,7 @@ export const structs = {
         user: [0, 'u32'],
         parallelFor: [4, 'u32'],
     } },
-    dm_context_desc: { size: 92, fields: {
+    dm_context_desc: { size: 104, fields: {
         structSize: [0, 'u32'],
         axes: [4, 'i32'],
         unitInMetres: [8, 'f32'],
@@ -292,14 +286,16 @@ export const structs = {
         reserved: [80, 'u32'],
         progress: [84, 'u32'],
         progressUser: [88, 'u32'],
+        keptBytes: [96, 'u64'],
     } },
-    dm_memory_info: { size: 40, fields: {
+    dm_memory_info: { size: 48, fields: {
         structSize: [0, 'u32'],
         reserved: [4, 'u32'],
         bytes: [8, 'u64'],
         peakBytes: [16, 'u64'],
         allocations: [24, 'u64'],
         pickBytes: [32, 'u64'],
+        keptBytes: [40, 'u64'],
     } },
     dm_model_desc: { size: 28, fields: {
         structSize: [0, 'u32'],
@@ -336,7 +332,7 @@ export const structs = {
         origin: [0, 'dm_vec3'],
         axes: [12, 'f32', 9],
     } },
-    dm_part_desc: { size: 36, fields: {
+    dm_part_desc: { size: 28, fields: {
         structSize: [0, 'u32'],
         id: [4, 'u32'],
         parent: [8, 'u32'],
@@ -344,10 +340,8 @@ export const structs = {
         drag: [16, 'u32'],
         label: [20, 'u32'],
         pivot: [24, 'u32'],
-        pivotKind: [28, 'i32'],
-        reserved: [32, 'u32'],
     } },
-    dm_joint: { size: 76, fields: {
+    dm_joint: { size: 72, fields: {
         structSize: [0, 'u32'],
         type: [4, 'i32'],
         typeConfidence: [8, 'f32'],
@@ -359,7 +353,6 @@ export const structs = {
         upper: [48, 'f32'],
         source: [52, 'i32'],
         evidence: [56, 'u32', 4],
-        closed: [72, 'f32'],
     } },
     dm_joint_frame: { size: 88, fields: {
         structSize: [0, 'u32'],
@@ -374,7 +367,7 @@ export const structs = {
         limits: [80, 'u32'],
         pitch: [84, 'f32'],
     } },
-    dm_part_state: { size: 124, fields: {
+    dm_part_state: { size: 120, fields: {
         structSize: [0, 'u32'],
         value: [4, 'f32'],
         velocity: [8, 'f32'],
@@ -439,7 +432,7 @@ export const structs = {
         size: [48, 'f32'],
         pickable: [52, 'u32'],
         degraded: [56, 'u32'],
-        reserved: [60, 'u32'],
+        picking: [60, 'i32'],
     } },
     dm_asset_clip: { size: 20, fields: {
         name: [0, 'u32'],
@@ -578,7 +571,7 @@ export const structs = {
         lower: [128, 'f32'],
         upper: [132, 'f32'],
     } },
-    dm_drag_state: { size: 100, fields: {
+    dm_drag_state: { size: 96, fields: {
         structSize: [0, 'u32'],
         pose: [4, 'dm_pose'],
         grabPoint: [36, 'dm_vec3'],
@@ -594,7 +587,6 @@ export const structs = {
         status: [84, 'u32'],
         jointConfidence: [88, 'f32'],
         jointBasis: [92, 'i32'],
-        openShare: [96, 'f32'],
     } },
     dm_release_desc: { size: 32, fields: {
         structSize: [0, 'u32'],
@@ -649,6 +641,7 @@ export const functions = {
     dm_context_create: 'u32 u32 -> i32',
     dm_context_destroy: 'u32 -> void',
     dm_context_get_memory: 'u32 u32 -> i32',
+    dm_context_trim: 'u32 -> i32',
     dm_model_load: 'u32 u32 u32 -> i32',
     dm_model_unload: 'u32 u64 -> i32',
     dm_mesh_find_part: 'u32 u32 u32 u32 u64 -> i32',

@@ -9,6 +9,9 @@
 #include "api_object.h"
 #include "api_scene.h"
 #include "base/fp_environment.h"
+#include "base/kept.h"
+
+#define DEFAULT_KEPT ((uint64_t)32 << 20) /* bytes: what one worker needs for a prop, and the weights; by hand */
 
 static dm_result check_hooks(dmi_env* env, const dm_context_desc* desc) {
     if ((desc->allocator.allocate == NULL) != (desc->allocator.release == NULL)) {
@@ -59,6 +62,8 @@ static dm_context* allocate_context(dmi_env* outer, const dm_context_desc* desc)
     dmi_env_init(&context->env, &outer->allocator, &outer->log, &outer->jobs);
     context->env.progress = desc->progress;
     context->env.progress_user = desc->progress_user;
+    const uint64_t kept = desc->kept_bytes > 0 ? desc->kept_bytes : DEFAULT_KEPT;
+    context->env.kept.most = kept < SIZE_MAX ? (size_t)kept : SIZE_MAX;
     context->env.bytes = context->env.peak_bytes = sizeof *context;
     context->env.allocations = 1;
     atomic_flag_clear(&context->lock);
@@ -121,6 +126,7 @@ void DM_CALL dm_context_destroy(dm_context* context) {
     dmi_pool_destroy(context->objects);
     dmi_pool_destroy(context->models);
     if (context->picker != NULL) dmi_picker_destroy(context->picker);
+    dmi_kept_trim(&context->env);
     dmi_env outer;
     dmi_env_init(&outer, &context->env.allocator, &context->env.log, &context->env.jobs);
     dmi_free(&outer, context, sizeof *context);
@@ -135,7 +141,14 @@ dm_result DM_CALL dm_context_get_memory(const dm_context* context, dm_memory_inf
     const dm_memory_info info = {.bytes = env->bytes,
                                  .peak_bytes = env->peak_bytes,
                                  .allocations = env->allocations,
-                                 .pick_bytes = env->pick_bytes};
+                                 .pick_bytes = env->pick_bytes,
+                                 .kept_bytes = dmi_kept_bytes(env)};
     dmi_write_out(out_info, &info, sizeof info);
+    return DM_OK;
+}
+
+dm_result DM_CALL dm_context_trim(dm_context* context) {
+    if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_kept_trim(&context->env);
     return DM_OK;
 }

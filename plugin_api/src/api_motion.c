@@ -6,6 +6,7 @@
 #include "api_handles.h"
 #include "api_motion.h"
 #include "base/fp_environment.h"
+#include "base/kept.h"
 #include "math/linear3.h"
 #include "math/vec3.h"
 
@@ -62,10 +63,10 @@ static dm_result make_path(const request* work, float out_path[DMI_VAE_PATH][3])
                         desc->path_count, MAX_PATH);
     }
     size_t size = (desc->path_count + 1) * sizeof(float[3]);
-    float(*points)[3] = dmi_alloc(env, size, _Alignof(float));
+    float(*points)[3] = dmi_scratch_alloc(env, size);
     if (points == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_motion_generate: no memory for the path");
     dm_result result = resample(work, points, out_path);
-    dmi_free(env, points, size);
+    dmi_scratch_free(env, points);
     return result;
 }
 
@@ -83,13 +84,13 @@ static dm_result run_network(const request* work, float out_values[DM_MOTION_FRA
     dm_result result = make_path(work, query.path);
     if (result != DM_OK) return result;
     size_t size = dmi_dq_vae_scratch_size(model->motion);
-    void* scratch = dmi_alloc(env, size, DMI_ALIGNMENT);
+    void* scratch = dmi_scratch_alloc(env, size);
     if (scratch == NULL)
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_motion_generate: no memory for %zu bytes", size);
     dmi_vae_output output;
     dmi_dq_vae_forward(model->motion, work->context->isa, &work->slot->features[work->part - work->slot->object->parts],
                        &query, scratch, &output);
-    dmi_free(env, scratch, size);
+    dmi_scratch_free(env, scratch);
     dmi_motion_project(&work->joint, (const float(*)[8])output.raw, out_values);
     float unit = work->joint.type == DM_JOINT_PRISMATIC ? dmi_frame_length_out(&work->slot->object->frame) : 1.0f;
     for (int i = 0; i < DM_MOTION_FRAMES; i++) out_values[i] *= work->sign * unit;

@@ -10,6 +10,7 @@
 #include "api_object.h"
 #include "api_scene.h"
 #include "base/fp_environment.h"
+#include "base/kept.h"
 #include "math/vec3.h"
 
 /* ---- the descriptors of dm_object_prepare ---- */
@@ -71,17 +72,16 @@ typedef struct encoding {
 static void DM_CALL encode_part(void* data, uint32_t task) {
     encoding* work = data;
     dmi_env* env = &work->context->env;
-    size_t size = dmi_dq_vae_scratch_size(work->network);
-    void* scratch = dmi_alloc(env, size, DMI_ALIGNMENT);
-    dmi_cloud* cloud = dmi_alloc(env, sizeof *cloud, DMI_ALIGNMENT);
+    void* scratch = dmi_scratch_alloc(env, dmi_dq_vae_scratch_size(work->network));
+    dmi_cloud* cloud = dmi_scratch_alloc(env, sizeof *cloud);
     if (scratch != NULL && cloud != NULL) {
         dmi_cloud_widen(&work->slot->object->parts[task + 1], cloud);
         dmi_dq_vae_prepare(work->network, work->context->isa, cloud, scratch, &work->slot->features[task + 1]);
     } else {
         work->failed = true;
     }
-    dmi_free(env, cloud, sizeof *cloud);
-    dmi_free(env, scratch, size);
+    dmi_scratch_free(env, cloud);
+    dmi_scratch_free(env, scratch);
 }
 
 static dm_result encode(dm_context* context, const char* function, dmi_object_slot* slot, const dmi_model_slot* model) {
@@ -220,7 +220,8 @@ dm_result DM_CALL dm_object_get_info(dm_context* context, dm_object object, dm_o
                            .triangle_count = inner->triangle_count,
                            .size = dmi_frame_length_out(&inner->frame),
                            .pickable = inner->bvh != NULL,
-                           .degraded = dmi_degraded_of(slot)};
+                           .degraded = dmi_degraded_of(slot),
+                           .picking = dmi_bvh_picking(inner->bvh)};
     dmi_object_box_out(&inner->frame, inner->box_min, inner->box_max, &info.box_min, &info.box_max);
     dmi_write_out(out_info, &info, sizeof info);
     return DM_OK;

@@ -3,6 +3,7 @@
 
 #include <float.h>
 
+#include "base/kept.h"
 #include "mesh/mesh_read.h"
 
 enum { COLUMN = 4, ORIGIN = 12 }; /* in a transform of 16 numbers: between columns; of the translation */
@@ -42,19 +43,18 @@ static dm_result count_elements(dmi_env* env, const dm_asset_node* nodes, uint32
 
 static dm_result allocate(dmi_env* env, dmi_asset_mesh* mesh) {
     const size_t vertices = mesh->vertex_count, faces = mesh->face_count;
-    mesh->positions = dmi_alloc(env, vertices * 3 * sizeof *mesh->positions, DMI_ALIGNMENT);
-    mesh->indices = dmi_alloc(env, faces * 3 * sizeof *mesh->indices, DMI_ALIGNMENT);
-    mesh->face_id = dmi_alloc(env, faces * sizeof *mesh->face_id, DMI_ALIGNMENT);
+    mesh->positions = dmi_scratch_alloc(env, vertices * 3 * sizeof *mesh->positions);
+    mesh->indices = dmi_scratch_alloc(env, faces * 3 * sizeof *mesh->indices);
+    mesh->face_id = dmi_scratch_alloc(env, faces * sizeof *mesh->face_id);
     if (mesh->positions != NULL && mesh->indices != NULL && mesh->face_id != NULL) return DM_OK;
     return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_asset_create: no memory for %u vertices and %u triangles",
                     mesh->vertex_count, mesh->face_count);
 }
 
 void dmi_asset_mesh_release(dmi_env* env, dmi_asset_mesh* mesh) {
-    const size_t vertices = mesh->vertex_count, faces = mesh->face_count;
-    dmi_free(env, mesh->positions, vertices * 3 * sizeof *mesh->positions);
-    dmi_free(env, mesh->indices, faces * 3 * sizeof *mesh->indices);
-    dmi_free(env, mesh->face_id, faces * sizeof *mesh->face_id);
+    dmi_scratch_free(env, mesh->positions);
+    dmi_scratch_free(env, mesh->indices);
+    dmi_scratch_free(env, mesh->face_id);
     *mesh = (dmi_asset_mesh){0};
 }
 

@@ -1,6 +1,8 @@
 /* Bump allocator: blocks from the host, filled from front to back, released together or down to a mark. */
 #include "base/arena.h"
 
+#include "base/kept.h"
+
 struct dmi_arena_block {
     dmi_arena_block* next;
     size_t capacity, used; /* bytes after the header */
@@ -25,8 +27,9 @@ static dmi_arena_block* take_spare(dmi_arena* arena, size_t capacity) {
 }
 
 static dmi_arena_block* new_block(dmi_arena* arena, size_t capacity) {
-    dmi_arena_block* block = dmi_alloc(arena->env, HEADER_SIZE + capacity, DMI_ALIGNMENT);
-    if (block != NULL) block->capacity = capacity;
+    size_t size;
+    dmi_arena_block* block = dmi_kept_take(arena->env, HEADER_SIZE + capacity, &size);
+    if (block != NULL) block->capacity = size - HEADER_SIZE;
     return block;
 }
 
@@ -82,7 +85,7 @@ static void release_list(dmi_env* env, dmi_arena_block* list) {
     while (list != NULL) {
         dmi_arena_block* block = list;
         list = block->next;
-        dmi_free(env, block, HEADER_SIZE + block->capacity);
+        dmi_kept_give(env, block, HEADER_SIZE + block->capacity);
     }
 }
 

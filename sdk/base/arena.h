@@ -26,7 +26,7 @@ dmi_arena_mark dmi_arena_get_mark(const dmi_arena* arena);
 /* Frees what was pushed since the mark. The arena keeps the memory for later pushes: fresh pages of the host would cost
  * as much as filling them. */
 void dmi_arena_rewind(dmi_arena* arena, dmi_arena_mark mark);
-/* Returns all memory to the host. */
+/* Gives all memory back: what the environment keeps serves other arenas (kept.h), the host gets the rest. */
 void dmi_arena_release(dmi_arena* arena);
 
 #endif

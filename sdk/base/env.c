@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/fp_environment.h"
+#include "base/kept.h"
 #include "base/utf8.h"
 
 #define MESSAGE_SIZE 512 /* bytes of a log message, longer ones are cut; by hand */
@@ -34,6 +35,7 @@ static void default_release(void* user, void* memory, size_t size) {
 
 void dmi_env_init(dmi_env* env, const dm_allocator* allocator, const dm_log* log, const dm_jobs* jobs) {
     *env = (dmi_env){0};
+    atomic_flag_clear(&env->kept.lock);
     if (allocator != NULL && allocator->allocate != NULL && allocator->release != NULL) {
         env->allocator = *allocator;
     } else {
@@ -61,6 +63,8 @@ void* dmi_alloc(dmi_env* env, size_t size, size_t alignment) {
     if (size > SIZE_MAX / 2) return NULL;
     size = host_size(size);
     void* memory = env->allocator.allocate(env->allocator.user, size, alignment);
+    if (memory == NULL && dmi_kept_trim(env) > 0)
+        memory = env->allocator.allocate(env->allocator.user, size, alignment);
     if (memory == NULL) return NULL;
     atomic_fetch_add_explicit(&env->allocations, 1, memory_order_relaxed);
     raise_peak(env, atomic_fetch_add_explicit(&env->bytes, size, memory_order_relaxed) + size);

@@ -9,19 +9,30 @@
 
 #define DMI_ALIGNMENT 64 /* bytes, of scratch memory and large arrays: a cache line, and a vector of AVX-512 */
 
+/* Scratch memory that waits for the next call (kept.h). */
+typedef struct dmi_kept_block dmi_kept_block;
+typedef struct dmi_kept {
+    atomic_flag lock; /* a spin lock, held while the list is walked; no [frame] function takes it */
+    dmi_kept_block* blocks;
+    size_t bytes, count; /* of the list */
+    size_t most;         /* bytes; 0: nothing is kept */
+} dmi_kept;
+
 typedef struct dmi_env {
     dm_allocator allocator;
     dm_log log;
     dm_jobs jobs;
     dm_progress_callback progress; /* of long calls; NULL: nobody asks */
     void* progress_user;
+    dmi_kept kept;
     _Atomic uint64_t bytes, peak_bytes, allocations, pick_bytes;
 } dmi_env;
 
 /* NULL hooks (or hooks of zeros) mean malloc and free, no log, no parallel jobs. */
 void dmi_env_init(dmi_env* env, const dm_allocator* allocator, const dm_log* log, const dm_jobs* jobs);
 
-/* Allocates from the host, not zeroed; NULL when it has no memory. Size 0 gives a valid pointer that must be freed. */
+/* Allocates from the host, not zeroed; NULL when it has no memory, also after all kept memory has been given back to
+ * it. Size 0 gives a valid pointer that must be freed. */
 void* dmi_alloc(dmi_env* env, size_t size, size_t alignment);
 void* dmi_alloc_zeroed(dmi_env* env, size_t size, size_t alignment);
 /* size as given to dmi_alloc; NULL does nothing. */

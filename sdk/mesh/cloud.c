@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "base/kept.h"
 #include "base/random.h"
 #include "math/linear3.h"
 
@@ -255,7 +256,7 @@ static float near_limit(const candidates* c) {
 
 /* Fills the near block when none of the rest is near: with its samples nearest to the box. */
 static dm_result sample_nearest(dmi_env* env, sampler* s, const box* near, float (*xyz)[3], float (*normal)[3]) {
-    candidates* c = dmi_alloc(env, sizeof *c, DMI_ALIGNMENT);
+    candidates* c = dmi_scratch_alloc(env, sizeof *c);
     if (c == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %d surface samples", CANDIDATES);
     weigh_moving(s, false);
     sample_block(s, CANDIDATES, c->xyz, c->normal);
@@ -269,7 +270,7 @@ static dm_result sample_nearest(dmi_env* env, sampler* s, const box* near, float
         memcpy(xyz[taken], c->xyz[i], sizeof c->xyz[i]);
         memcpy(normal[taken++], c->normal[i], sizeof c->normal[i]);
     }
-    dmi_free(env, c, sizeof *c);
+    dmi_scratch_free(env, c);
     return DM_OK;
 }
 
@@ -310,9 +311,9 @@ static dm_result sample_all(dmi_env* env, sampler* s, dmi_cloud* cloud) {
 
 dm_result dmi_cloud_sample(dmi_env* env, const dmi_mesh* mesh, uint32_t part, uint64_t seed, dmi_cloud* out_cloud) {
     sampler s = {.mesh = mesh, .random = dmi_random_make(seed, part)};
-    s.moves = dmi_alloc(env, mesh->part_count, DMI_ALIGNMENT);
-    s.weights = dmi_alloc(env, mesh->face_count * sizeof(float), DMI_ALIGNMENT);
-    s.outcodes = dmi_alloc(env, mesh->vertex_count, DMI_ALIGNMENT);
+    s.moves = dmi_scratch_alloc(env, mesh->part_count);
+    s.weights = dmi_scratch_alloc(env, mesh->face_count * sizeof(float));
+    s.outcodes = dmi_scratch_alloc(env, mesh->vertex_count);
     dm_result result = DM_ERROR_OUT_OF_MEMORY;
     if (s.moves != NULL && s.weights != NULL && s.outcodes != NULL) {
         for (uint32_t p = 0; p < mesh->part_count; p++) s.moves[p] = (uint8_t)dmi_mesh_moves_with(mesh, p, part);
@@ -320,8 +321,8 @@ dm_result dmi_cloud_sample(dmi_env* env, const dmi_mesh* mesh, uint32_t part, ui
     } else {
         dmi_fail(env, result, "no memory to sample %u triangles", mesh->face_count);
     }
-    dmi_free(env, s.moves, mesh->part_count);
-    dmi_free(env, s.weights, mesh->face_count * sizeof(float));
-    dmi_free(env, s.outcodes, mesh->vertex_count);
+    dmi_scratch_free(env, s.moves);
+    dmi_scratch_free(env, s.weights);
+    dmi_scratch_free(env, s.outcodes);
     return result;
 }

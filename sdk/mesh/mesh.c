@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/kept.h"
 #include "mesh/mesh_parts.h"
 #include "mesh/mesh_read.h"
 
@@ -57,8 +58,9 @@ void dmi_mesh_destroy(dmi_env* env, dmi_mesh* mesh) {
 /* Box, in canonical metres, of the vertices that some triangle uses. */
 static dm_result measure_box(dmi_env* env, const dmi_mesh_reader* reader, const dmi_mesh* mesh, const dmi_axes* axes,
                              double low[3], double high[3]) {
-    uint8_t* used = dmi_alloc_zeroed(env, mesh->vertex_count, ALIGNMENT);
+    uint8_t* used = dmi_scratch_alloc(env, mesh->vertex_count);
     if (used == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u vertices", mesh->vertex_count);
+    memset(used, 0, mesh->vertex_count);
     for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++) used[mesh->indices[i]] = 1;
     for (int k = 0; k < 3; k++) {
         low[k] = DBL_MAX;
@@ -74,7 +76,7 @@ static dm_result measure_box(dmi_env* env, const dmi_mesh_reader* reader, const 
             if (p[k] > high[k]) high[k] = p[k];
         }
     }
-    dmi_free(env, used, mesh->vertex_count);
+    dmi_scratch_free(env, used);
     return DM_OK;
 }
 

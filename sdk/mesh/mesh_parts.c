@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "base/kept.h"
+
 /* At most half full with DM_MAX_PARTS ids. */
 #define ID_SET_SIZE (2 * DM_MAX_PARTS)
 
@@ -110,8 +112,9 @@ static void ids_to_indices(dmi_mesh* mesh) {
 }
 
 static dm_result assign_all_ids(dmi_env* env, const dmi_mesh_reader* reader, int may_be_none, dmi_mesh* mesh) {
-    id_set* set = dmi_alloc_zeroed(env, sizeof *set, 64);
+    id_set* set = dmi_scratch_alloc(env, sizeof *set);
     if (set == NULL) return out_of_memory(env, DM_MAX_PARTS);
+    memset(set, 0, sizeof *set);
     dm_result result = collect_ids(env, reader, mesh, set);
     if (result == DM_OK && set->count == 0 && !may_be_none)
         result = dmi_fail(env, DM_ERROR_EMPTY_MASK, "dm_mesh_desc.part_ids: no triangle belongs to a part");
@@ -121,7 +124,7 @@ static dm_result assign_all_ids(dmi_env* env, const dmi_mesh_reader* reader, int
         for (uint32_t i = 0; i < set->count; i++) mesh->parts[i + 1].id = (uint32_t)set->ids[i];
         ids_to_indices(mesh);
     }
-    dmi_free(env, set, sizeof *set);
+    dmi_scratch_free(env, set);
     return result;
 }
 
@@ -162,7 +165,7 @@ static dm_result set_parents(dmi_env* env, const dm_part_desc* descs, uint32_t c
 
 /* Sorted by id; a position in the list beside the id tells which two entries share it. */
 static dm_result list_parts(dmi_env* env, const dm_part_desc* descs, uint32_t count, dmi_mesh* mesh) {
-    uint64_t* keys = dmi_alloc(env, count * sizeof *keys, 64);
+    uint64_t* keys = dmi_scratch_alloc(env, count * sizeof *keys);
     if (keys == NULL) return out_of_memory(env, count);
     for (uint32_t i = 0; i < count; i++) keys[i] = (uint64_t)descs[i].id << 32 | i;
     sort_keys(keys, count);
@@ -175,7 +178,7 @@ static dm_result list_parts(dmi_env* env, const dm_part_desc* descs, uint32_t co
         }
         mesh->parts[i + 1].id = id;
     }
-    dmi_free(env, keys, count * sizeof *keys);
+    dmi_scratch_free(env, keys);
     return result;
 }
 

@@ -37,6 +37,7 @@ typedef struct dmi_part_hit {
 
 typedef struct dmi_pick_backend {
     const char* name;
+    int32_t choice; /* DM_PICK_* */
     /* The device is what the backend keeps for a context. Returns UNSUPPORTED where the backend does not work here, or
      * another error; `why` then tells the reason, and the log nothing. */
     dm_result (*open)(dmi_env* env, void** out_device, char* why, size_t why_size);

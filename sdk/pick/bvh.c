@@ -17,6 +17,10 @@ int32_t dmi_bvh_find_part(const dmi_bvh* bvh, uint32_t id) {
     return dmi_find_id(&bvh->parts->id, sizeof *bvh->parts, bvh->part_count, id);
 }
 
+int32_t dmi_bvh_picking(const dmi_bvh* bvh) {
+    return bvh != NULL ? bvh->picker->backend->choice : DM_PICK_NONE;
+}
+
 /* ---- building ---- */
 
 static dm_result allocate(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** out_bvh) {

@@ -233,4 +233,4 @@ static bool first_hit(const void* built, const dmi_part_ray* ray, dmi_part_hit* 
     return true;
 }
 
-const dmi_pick_backend dmi_pick_embree = {"embree", open, close, build, destroy, first_hit};
+const dmi_pick_backend dmi_pick_embree = {"embree", DM_PICK_EMBREE, open, close, build, destroy, first_hit};

@@ -21,6 +21,8 @@ const char* dmi_picker_backend(const dmi_picker* picker);
 /* Builds the trees; keeps its own padded copy of the mesh. NULL, and DM_OK, where the context picks nothing. */
 dm_result dmi_bvh_create(dmi_picker* picker, const dmi_mesh* mesh, const dmi_progress* progress, dmi_bvh** out_bvh);
 void dmi_bvh_destroy(dmi_bvh* bvh);
+/* DM_PICK_*: whose trees they are; NULL: DM_PICK_NONE. */
+int32_t dmi_bvh_picking(const dmi_bvh* bvh);
 
 /* UNSUPPORTED where the context picks nothing. */
 dm_result dmi_scene_create(dmi_picker* picker, dmi_scene** out_scene);

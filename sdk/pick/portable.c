@@ -46,4 +46,4 @@ static bool first_hit(const void* built, const dmi_part_ray* ray, dmi_part_hit* 
     return tree->trace(tree, ray, out_hit);
 }
 
-const dmi_pick_backend dmi_pick_portable = {"portable", open, close, build, destroy, first_hit};
+const dmi_pick_backend dmi_pick_portable = {"portable", DM_PICK_PORTABLE, open, close, build, destroy, first_hit};

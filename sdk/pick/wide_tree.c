@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/kept.h"
 #include "pick/box_split.h"
 
 /* Ranges that wait at once: up to DMI_WIDE from each level. */
@@ -167,14 +168,14 @@ dm_result dmi_wide_tree_build(dmi_env* env, const dmi_triangles* triangles, dmi_
     builder b = {.env = env, .triangles = triangles, .tree = &tree};
     tree.block_capacity = faces / FACES_PER_BLOCK + 1;
     tree.node_capacity = tree.block_capacity / BLOCKS_PER_NODE + 1;
-    b.items = dmi_alloc(env, faces * sizeof *b.items, DMI_ALIGNMENT);
-    b.stack = dmi_alloc(env, (size_t)MOST_PENDING * sizeof *b.stack, DMI_ALIGNMENT);
+    b.items = dmi_scratch_alloc(env, faces * sizeof *b.items);
+    b.stack = dmi_scratch_alloc(env, (size_t)MOST_PENDING * sizeof *b.stack);
     tree.nodes = dmi_alloc(env, tree.node_capacity * sizeof *tree.nodes, DMI_ALIGNMENT);
     tree.blocks = dmi_alloc(env, tree.block_capacity * sizeof *tree.blocks, DMI_ALIGNMENT);
     bool made = b.items != NULL && b.stack != NULL && tree.nodes != NULL && tree.blocks != NULL;
     if (made) made = make_items(&b) && make_nodes(&b);
-    dmi_free(env, b.items, faces * sizeof *b.items);
-    dmi_free(env, b.stack, (size_t)MOST_PENDING * sizeof *b.stack);
+    dmi_scratch_free(env, b.items);
+    dmi_scratch_free(env, b.stack);
     if (made) {
         made = trim(&b, (void**)&tree.nodes, tree.node_count, &tree.node_capacity, sizeof *tree.nodes) &&
                trim(&b, (void**)&tree.blocks, tree.block_count, &tree.block_capacity, sizeof *tree.blocks);

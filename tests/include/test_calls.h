@@ -56,6 +56,16 @@ static inline dm_result test_call_context_get_memory(test_stage* s) {
     return dm_context_get_memory(s->w->context, &s->out.memory);
 }
 
+static inline void test_before_context_trim(test_stage* s) {
+    dm_object object;
+    assert_int_equal(test_world_prepare(s->w, 0, &object), DM_OK); /* leaves scratch memory */
+    assert_int_equal(dm_object_destroy(s->w->context, object), DM_OK);
+}
+
+static inline dm_result test_call_context_trim(test_stage* s) {
+    return dm_context_trim(s->w->context);
+}
+
 static inline dm_result test_call_model_load(test_stage* s) {
     return dm_model_load(s->w->context, &s->weights, &s->out.handle);
 }
@@ -658,6 +668,7 @@ static const test_call test_calls[] = {
     {"dm_context_create", NULL, NULL, test_call_context_create, test_after_context_create, NULL},
     {"dm_context_destroy", NULL, test_before_context_destroy, test_call_context_destroy, NULL, NULL},
     {"dm_context_get_memory", NULL, NULL, test_call_context_get_memory, NULL, NULL},
+    {"dm_context_trim", NULL, test_before_context_trim, test_call_context_trim, NULL, NULL},
     {"dm_model_load", NULL, NULL, test_call_model_load, test_after_model_load, NULL},
     {"dm_model_unload", NULL, test_before_model_unload, test_call_model_unload, NULL, NULL},
     {"dm_mesh_find_part", "of sheets", NULL, test_call_find_part, NULL, NULL},

@@ -52,7 +52,7 @@ namespace DragMesh
               Expect("dm_jobs.parallel_for", (byte*)&s.ParallelFor - at, 8, 4);
             }
             { ContextDesc s; byte* at = (byte*)&s;
-              Expect("dm_context_desc", sizeof(ContextDesc), 128, 92);
+              Expect("dm_context_desc", sizeof(ContextDesc), 136, 104);
               Expect("dm_context_desc.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_context_desc.axes", (byte*)&s.Axes - at, 4, 4);
               Expect("dm_context_desc.unit_in_metres", (byte*)&s.UnitInMetres - at, 8, 8);
@@ -64,15 +64,17 @@ namespace DragMesh
               Expect("dm_context_desc.reserved", (byte*)&s.Reserved - at, 108, 80);
               Expect("dm_context_desc.progress", (byte*)&s.Progress - at, 112, 84);
               Expect("dm_context_desc.progress_user", (byte*)&s.ProgressUser - at, 120, 88);
+              Expect("dm_context_desc.kept_bytes", (byte*)&s.KeptBytes - at, 128, 96);
             }
             { MemoryInfo s; byte* at = (byte*)&s;
-              Expect("dm_memory_info", sizeof(MemoryInfo), 40, 40);
+              Expect("dm_memory_info", sizeof(MemoryInfo), 48, 48);
               Expect("dm_memory_info.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_memory_info.reserved", (byte*)&s.Reserved - at, 4, 4);
               Expect("dm_memory_info.bytes", (byte*)&s.Bytes - at, 8, 8);
               Expect("dm_memory_info.peak_bytes", (byte*)&s.PeakBytes - at, 16, 16);
               Expect("dm_memory_info.allocations", (byte*)&s.Allocations - at, 24, 24);
               Expect("dm_memory_info.pick_bytes", (byte*)&s.PickBytes - at, 32, 32);
+              Expect("dm_memory_info.kept_bytes", (byte*)&s.KeptBytes - at, 40, 40);
             }
             { ModelDesc s; byte* at = (byte*)&s;
               Expect("dm_model_desc", sizeof(ModelDesc), 56, 28);
@@ -226,7 +228,7 @@ namespace DragMesh
               Expect("dm_object_info.size", (byte*)&s.Size - at, 48, 48);
               Expect("dm_object_info.pickable", (byte*)&s.Pickable - at, 52, 52);
               Expect("dm_object_info.degraded", (byte*)&s.Degraded - at, 56, 56);
-              Expect("dm_object_info.reserved", (byte*)&s.Reserved - at, 60, 60);
+              Expect("dm_object_info.picking", (byte*)&s.Picking - at, 60, 60);
             }
             { AssetClip s; byte* at = (byte*)&s;
               Expect("dm_asset_clip", sizeof(AssetClip), 32, 20);
@@ -445,7 +447,7 @@ namespace DragMesh
               Expect("dm_hit.object_point", (byte*)&s.ObjectPoint - at, 60, 60);
             }
             { Core1 s; byte* at = (byte*)&s;
-              Expect("dm_core_1", sizeof(Core1), 496, 252);
+              Expect("dm_core_1", sizeof(Core1), 504, 256);
               Expect("dm_core_1.struct_size", (byte*)&s.StructSize - at, 0, 0);
               Expect("dm_core_1.reserved", (byte*)&s.Reserved - at, 4, 4);
               Expect("dm_core_1.result_string", (byte*)&s.ResultString - at, 8, 8);
@@ -509,6 +511,7 @@ namespace DragMesh
               Expect("dm_core_1.asset_get_part_nodes", (byte*)&s.AssetGetPartNodes - at, 472, 240);
               Expect("dm_core_1.asset_get_node_parts", (byte*)&s.AssetGetNodeParts - at, 480, 244);
               Expect("dm_core_1.asset_make_object", (byte*)&s.AssetMakeObject - at, 488, 248);
+              Expect("dm_core_1.context_trim", (byte*)&s.ContextTrim - at, 496, 252);
             }
             { GltfFiles s; byte* at = (byte*)&s;
               Expect("dm_gltf_files", sizeof(GltfFiles), 24, 12);

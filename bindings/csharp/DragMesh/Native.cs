@@ -517,6 +517,9 @@ namespace DragMesh
     public unsafe delegate int Core1AssetMakeObject(IntPtr context, ulong asset, ulong* out_object);
 
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate int Core1ContextTrim(IntPtr context);
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate int GltfFilesOpen(void* user, byte* path, void** out_data, UIntPtr* out_size);
 
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -594,6 +597,8 @@ namespace DragMesh
         /// <summary>of the calls that take long where the mesh is large: dm_mesh_find_part, dm_object_prepare without a callback of its own, dm_object_load, dm_object_refine. NULL = none. May be called from several threads at once</summary>
         public IntPtr Progress;
         public void* ProgressUser;
+        /// <summary>most scratch memory that stays with the context from call to call; 0 = 32 MB, 1 = none. dm_context_trim gives it back</summary>
+        public ulong KeptBytes;
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static ContextDesc New() => new ContextDesc { StructSize = (uint)sizeof(ContextDesc) };
@@ -613,6 +618,8 @@ namespace DragMesh
         public ulong Allocations;
         /// <summary>held now by Embree, which reports sizes but has its own allocator</summary>
         public ulong PickBytes;
+        /// <summary>of `bytes`: in no use now, kept for later calls (dm_context_desc.kept_bytes)</summary>
+        public ulong KeptBytes;
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static MemoryInfo New() => new MemoryInfo { StructSize = (uint)sizeof(MemoryInfo) };
@@ -917,8 +924,8 @@ namespace DragMesh
         public uint Pickable;
         /// <summary>DM_DEGRADED_*; 0: all that the library knows was at work</summary>
         public uint Degraded;
-        /// <summary>0</summary>
-        public uint Reserved;
+        /// <summary>DM_PICK_EMBREE or DM_PICK_PORTABLE: whose trees it has; DM_PICK_NONE: it has none</summary>
+        public int Picking;
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static ObjectInfo New() => new ObjectInfo { StructSize = (uint)sizeof(ObjectInfo) };
@@ -1426,6 +1433,7 @@ namespace DragMesh
         public IntPtr AssetGetPartNodes;
         public IntPtr AssetGetNodeParts;
         public IntPtr AssetMakeObject;
+        public IntPtr ContextTrim;
 
         /// <summary>Zeros, with StructSize set.</summary>
         public static Core1 New() => new Core1 { StructSize = (uint)sizeof(Core1) };
@@ -1624,6 +1632,10 @@ namespace DragMesh
         /// <summary>out_info-&gt;struct_size must be set. [any-thread]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_context_get_memory(IntPtr context, MemoryInfo* out_info);
+
+        /// <summary>Gives the scratch memory that is kept for later calls (dm_memory_info.kept_bytes) back to the host's allocator: when a level has loaded, or memory is short. [any-thread]</summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int dm_context_trim(IntPtr context);
 
         /// <summary>Reads weights. Errors: BAD_DATA, WRONG_MODEL, VERSION. [any-thread]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

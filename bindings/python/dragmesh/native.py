@@ -250,6 +250,7 @@ class ContextDesc(Sized):
     reserved: int
     progress: Any
     progress_user: Any
+    kept_bytes: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("axes", c.c_int32),
@@ -262,6 +263,7 @@ class ContextDesc(Sized):
         ("reserved", c.c_uint32),
         ("progress", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_float)),
         ("progress_user", c.c_void_p),
+        ("kept_bytes", c.c_uint64),
     ]
 
 
@@ -272,6 +274,7 @@ class MemoryInfo(Sized):
     peak_bytes: int
     allocations: int
     pick_bytes: int
+    kept_bytes: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("reserved", c.c_uint32),
@@ -279,6 +282,7 @@ class MemoryInfo(Sized):
         ("peak_bytes", c.c_uint64),
         ("allocations", c.c_uint64),
         ("pick_bytes", c.c_uint64),
+        ("kept_bytes", c.c_uint64),
     ]
 
 
@@ -581,7 +585,7 @@ class ObjectInfo(Sized):
     size: float
     pickable: int
     degraded: int
-    reserved: int
+    picking: int
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("part_count", c.c_uint32),
@@ -592,7 +596,7 @@ class ObjectInfo(Sized):
         ("size", c.c_float),
         ("pickable", c.c_uint32),
         ("degraded", c.c_uint32),
-        ("reserved", c.c_uint32),
+        ("picking", c.c_int32),
     ]
 
 
@@ -1090,6 +1094,7 @@ class Core1(Sized):
     asset_get_part_nodes: Any
     asset_get_node_parts: Any
     asset_make_object: Any
+    context_trim: Any
     _fields_ = [
         ("struct_size", c.c_uint32),
         ("reserved", c.c_uint32),
@@ -1154,6 +1159,7 @@ class Core1(Sized):
         ("asset_get_part_nodes", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_uint64, c.c_uint32, c.POINTER(c.c_uint32), c.c_uint32)),
         ("asset_get_node_parts", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_uint64, c.POINTER(c.c_uint32), c.c_uint32)),
         ("asset_make_object", c.CFUNCTYPE(c.c_int32, c.c_void_p, c.c_uint64, c.POINTER(c.c_uint64))),
+        ("context_trim", c.CFUNCTYPE(c.c_int32, c.c_void_p)),
     ]
 
 
@@ -1344,6 +1350,7 @@ FUNCTIONS = {  # name: (result, arguments)
     "dm_context_create": (c.c_int32, [c.POINTER(ContextDesc), c.POINTER(c.c_void_p)]),
     "dm_context_destroy": (None, [c.c_void_p]),
     "dm_context_get_memory": (c.c_int32, [c.c_void_p, c.POINTER(MemoryInfo)]),
+    "dm_context_trim": (c.c_int32, [c.c_void_p]),
     "dm_model_load": (c.c_int32, [c.c_void_p, c.POINTER(ModelDesc), c.POINTER(c.c_uint64)]),
     "dm_model_unload": (c.c_int32, [c.c_void_p, c.c_uint64]),
     "dm_mesh_find_part": (c.c_int32, [c.c_void_p, c.POINTER(MeshDesc), c.POINTER(DragHint), c.POINTER(c.c_uint8), c.c_uint64]),
@@ -1444,8 +1451,8 @@ LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}
     Allocator: {8: (24, [0, 8, 16]), 4: (12, [0, 4, 8])},
     Log: {8: (16, [0, 8]), 4: (8, [0, 4])},
     Jobs: {8: (16, [0, 8]), 4: (8, [0, 4])},
-    ContextDesc: {8: (128, [0, 4, 8, 12, 48, 72, 88, 104, 108, 112, 120]), 4: (92, [0, 4, 8, 12, 48, 60, 68, 76, 80, 84, 88])},
-    MemoryInfo: {8: (40, [0, 4, 8, 16, 24, 32]), 4: (40, [0, 4, 8, 16, 24, 32])},
+    ContextDesc: {8: (136, [0, 4, 8, 12, 48, 72, 88, 104, 108, 112, 120, 128]), 4: (104, [0, 4, 8, 12, 48, 60, 68, 76, 80, 84, 88, 96])},
+    MemoryInfo: {8: (48, [0, 4, 8, 16, 24, 32, 40]), 4: (48, [0, 4, 8, 16, 24, 32, 40])},
     ModelDesc: {8: (56, [0, 8, 16, 24, 32, 40, 48]), 4: (28, [0, 4, 8, 12, 16, 20, 24])},
     MeshDesc: {8: (96, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 76, 80, 84, 88, 92]), 4: (96, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 76, 80, 84, 88, 92])},
     DragHint: {8: (24, [0, 12]), 4: (24, [0, 12])},
@@ -1478,7 +1485,7 @@ LAYOUTS = {  # struct: {bytes of a pointer: (size, offsets)}
     Camera: {8: (56, [0, 4, 8, 20, 32, 44, 48, 52]), 4: (56, [0, 4, 8, 20, 32, 44, 48, 52])},
     SceneDesc: {8: (8, [0, 4]), 4: (8, [0, 4])},
     Hit: {8: (72, [0, 4, 8, 16, 20, 24, 28, 32, 36, 48, 60]), 4: (72, [0, 4, 8, 16, 20, 24, 28, 32, 36, 48, 60])},
-    Core1: {8: (496, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 104, 112, 120, 128, 136, 144, 152, 160, 168, 176, 184, 192, 200, 208, 216, 224, 232, 240, 248, 256, 264, 272, 280, 288, 296, 304, 312, 320, 328, 336, 344, 352, 360, 368, 376, 384, 392, 400, 408, 416, 424, 432, 440, 448, 456, 464, 472, 480, 488]), 4: (252, [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92, 96, 100, 104, 108, 112, 116, 120, 124, 128, 132, 136, 140, 144, 148, 152, 156, 160, 164, 168, 172, 176, 180, 184, 188, 192, 196, 200, 204, 208, 212, 216, 220, 224, 228, 232, 236, 240, 244, 248])},
+    Core1: {8: (504, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 104, 112, 120, 128, 136, 144, 152, 160, 168, 176, 184, 192, 200, 208, 216, 224, 232, 240, 248, 256, 264, 272, 280, 288, 296, 304, 312, 320, 328, 336, 344, 352, 360, 368, 376, 384, 392, 400, 408, 416, 424, 432, 440, 448, 456, 464, 472, 480, 488, 496]), 4: (256, [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92, 96, 100, 104, 108, 112, 116, 120, 124, 128, 132, 136, 140, 144, 148, 152, 156, 160, 164, 168, 172, 176, 180, 184, 188, 192, 196, 200, 204, 208, 212, 216, 220, 224, 228, 232, 236, 240, 244, 248, 252])},
     GltfFiles: {8: (24, [0, 8, 16]), 4: (12, [0, 4, 8])},
     GltfDesc: {8: (104, [0, 4, 8, 16, 24, 48, 64, 88, 96]), 4: (56, [0, 4, 8, 12, 16, 28, 36, 48, 52])},
     GltfNode: {8: (64, [0, 8, 12, 16, 24, 32, 40, 48]), 4: (64, [0, 4, 8, 16, 24, 32, 40, 48])},

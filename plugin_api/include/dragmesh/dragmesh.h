@@ -230,6 +230,8 @@ typedef struct dm_context_desc {
                                       dm_object_prepare without a callback of its own, dm_object_load,
                                       dm_object_refine. NULL = none. May be called from several threads at once */
     void* progress_user;
+    uint64_t kept_bytes; /* most scratch memory that stays with the context from call to call; 0 = 32 MB, 1 = none.
+                            dm_context_trim gives it back */
 } dm_context_desc;
 
 typedef struct dm_memory_info {
@@ -239,6 +241,7 @@ typedef struct dm_memory_info {
     uint64_t peak_bytes;  /* most ever held */
     uint64_t allocations; /* calls of allocate so far */
     uint64_t pick_bytes;  /* held now by Embree, which reports sizes but has its own allocator */
+    uint64_t kept_bytes;  /* of `bytes`: in no use now, kept for later calls (dm_context_desc.kept_bytes) */
 } dm_memory_info;
 
 /* ---- weights ------------------------------------------------------------------------------------------------ */
@@ -487,7 +490,7 @@ typedef struct dm_object_info {
     float size;               /* largest side of the box */
     uint32_t pickable;        /* 1 when it kept its triangles */
     uint32_t degraded;        /* DM_DEGRADED_*; 0: all that the library knows was at work */
-    uint32_t reserved;        /* 0 */
+    int32_t picking;          /* DM_PICK_EMBREE or DM_PICK_PORTABLE: whose trees it has; DM_PICK_NONE: it has none */
 } dm_object_info;
 
 /* ---- assets ------------------------------------------------------------------------------------------------- */
@@ -963,6 +966,10 @@ DM_API void DM_CALL dm_context_destroy(dm_context* context);
 /* out_info->struct_size must be set. [any-thread] */
 DM_API dm_result DM_CALL dm_context_get_memory(const dm_context* context, dm_memory_info* out_info);
 
+/* Gives the scratch memory that is kept for later calls (dm_memory_info.kept_bytes) back to the host's allocator: when
+ * a level has loaded, or memory is short. [any-thread] */
+DM_API dm_result DM_CALL dm_context_trim(dm_context* context);
+
 /* ---- functions: weights ------------------------------------------------------------------------------------------ */
 
 /* Reads weights. Errors: BAD_DATA, WRONG_MODEL, VERSION. [any-thread] */
@@ -1330,7 +1337,8 @@ DM_API dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, cons
       (dm_context * context, dm_asset asset, uint32_t index, uint32_t * out_nodes, uint32_t capacity))                 \
     X(dm_result, asset_get_node_parts,                                                                                 \
       (dm_context * context, dm_asset asset, uint32_t * out_parts, uint32_t capacity))                                 \
-    X(dm_result, asset_make_object, (dm_context * context, dm_asset asset, dm_object * out_object))
+    X(dm_result, asset_make_object, (dm_context * context, dm_asset asset, dm_object * out_object))                    \
+    X(dm_result, context_trim, (dm_context * context))
 
 /* NOLINTNEXTLINE(bugprone-macro-parentheses): the parts of a declaration take none */
 #define DM_TABLE_ENTRY(result, name, arguments) result(DM_CALL* name) arguments;

@@ -1,7 +1,7 @@
 /* Loads the models fitted on candidate joints. */
 #include "kinematics/inference/joint_models.h"
 
-#define ARENA_BLOCK ((size_t)64 * 1024)
+#define ARENA_BLOCK ((size_t)256 * 1024)
 
 static void read_models(dmi_loader* loader, void* network) {
     dmi_joint_models* models = network;

@@ -11,8 +11,7 @@
 #include "mesh/mesh_repair.h"
 
 #define BATCH 32                        /* parts between two calls of the progress callback, with workers; by hand */
-#define MESH_BLOCK ((size_t)1 << 16)    /* bytes, of the shared mesh's arena; by hand */
-#define SCRATCH_BLOCK ((size_t)1 << 20) /* bytes, of the parts' arenas; by hand */
+#define SCRATCH_BLOCK ((size_t)1 << 20) /* bytes, of the arenas; by hand */
 #define MESH_DONE 0.05f                 /* progress reported when the mesh is checked; by hand */
 #define BVH_DONE 0.1f                   /* progress reported when the BVH is built; by hand */
 #define SHARED 0.12f                    /* and when the vertices are welded and the part masks are repaired */
@@ -224,7 +223,7 @@ static dm_result make_requests(preparation* work) {
 /* Makes the shared mesh, and infers all parts with it. */
 static dm_result run_requests(preparation* work) {
     dmi_arena arena;
-    dmi_arena_init(&arena, work->env, MESH_BLOCK);
+    dmi_arena_init(&arena, work->env, SCRATCH_BLOCK);
     dmi_arena_pool_init(&work->scratch, work->env, SCRATCH_BLOCK);
     const dmi_progress sharing = dmi_progress_piece(work->progress, BVH_DONE, SHARED);
     dm_result result = make_shared_mesh(&arena, work->object->mesh, &sharing, &work->shared);

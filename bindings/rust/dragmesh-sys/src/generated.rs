@@ -449,6 +449,8 @@ pub struct dm_context_desc {
     /// of the calls that take long where the mesh is large: dm\_mesh\_find\_part, dm\_object\_prepare without a callback of its own, dm\_object\_load, dm\_object\_refine. NULL = none. May be called from several threads at once
     pub progress: dm_progress_callback,
     pub progress_user: *mut c_void,
+    /// most scratch memory that stays with the context from call to call; 0 = 32 MB, 1 = none. dm\_context\_trim gives it back
+    pub kept_bytes: u64,
 }
 
 impl Default for dm_context_desc {
@@ -474,6 +476,8 @@ pub struct dm_memory_info {
     pub allocations: u64,
     /// held now by Embree, which reports sizes but has its own allocator
     pub pick_bytes: u64,
+    /// of \`bytes\`: in no use now, kept for later calls (dm\_context\_desc.kept\_bytes)
+    pub kept_bytes: u64,
 }
 
 impl Default for dm_memory_info {
@@ -863,8 +867,8 @@ pub struct dm_object_info {
     pub pickable: u32,
     /// DM\_DEGRADED\_\*; 0: all that the library knows was at work
     pub degraded: u32,
-    /// 0
-    pub reserved: u32,
+    /// DM\_PICK\_EMBREE or DM\_PICK\_PORTABLE: whose trees it has; DM\_PICK\_NONE: it has none
+    pub picking: i32,
 }
 
 impl Default for dm_object_info {
@@ -1490,6 +1494,7 @@ pub struct dm_core_1 {
     pub asset_get_part_nodes: Option<unsafe extern "C" fn(context: *mut dm_context, asset: dm_asset, index: u32, out_nodes: *mut u32, capacity: u32) -> dm_result>,
     pub asset_get_node_parts: Option<unsafe extern "C" fn(context: *mut dm_context, asset: dm_asset, out_parts: *mut u32, capacity: u32) -> dm_result>,
     pub asset_make_object: Option<unsafe extern "C" fn(context: *mut dm_context, asset: dm_asset, out_object: *mut dm_object) -> dm_result>,
+    pub context_trim: Option<unsafe extern "C" fn(context: *mut dm_context) -> dm_result>,
 }
 
 impl Default for dm_core_1 {
@@ -1730,6 +1735,8 @@ extern "C" {
     pub fn dm_context_destroy(context: *mut dm_context);
     /// out\_info-\>struct\_size must be set. \[any-thread\]
     pub fn dm_context_get_memory(context: *const dm_context, out_info: *mut dm_memory_info) -> dm_result;
+    /// Gives the scratch memory that is kept for later calls (dm\_memory\_info.kept\_bytes) back to the host's allocator: when a level has loaded, or memory is short. \[any-thread\]
+    pub fn dm_context_trim(context: *mut dm_context) -> dm_result;
     /// Reads weights. Errors: BAD\_DATA, WRONG\_MODEL, VERSION. \[any-thread\]
     pub fn dm_model_load(context: *mut dm_context, desc: *const dm_model_desc, out_model: *mut dm_model) -> dm_result;
     /// Objects prepared with it keep their joints, and motions made with it stay; new motions and refinements of such objects answer NO\_MODEL. \[exclusive object\]
@@ -1925,8 +1932,8 @@ mod tests {
         check!(dm_allocator, 24, user 0, allocate 8, release 16);
         check!(dm_log, 16, user 0, message 8);
         check!(dm_jobs, 16, user 0, parallel_for 8);
-        check!(dm_context_desc, 128, struct_size 0, axes 4, unit_in_metres 8, custom_axes 12, allocator 48, log 72, jobs 88, picking 104, reserved 108, progress 112, progress_user 120);
-        check!(dm_memory_info, 40, struct_size 0, reserved 4, bytes 8, peak_bytes 16, allocations 24, pick_bytes 32);
+        check!(dm_context_desc, 136, struct_size 0, axes 4, unit_in_metres 8, custom_axes 12, allocator 48, log 72, jobs 88, picking 104, reserved 108, progress 112, progress_user 120, kept_bytes 128);
+        check!(dm_memory_info, 48, struct_size 0, reserved 4, bytes 8, peak_bytes 16, allocations 24, pick_bytes 32, kept_bytes 40);
         check!(dm_model_desc, 56, struct_size 0, kinematics 8, kinematics_size 16, motion 24, motion_size 32, ranker 40, ranker_size 48);
         check!(dm_mesh_desc, 96, struct_size 0, position_stride 4, positions 8, vertex_count 16, position_bytes 24, indices 32, index_count 40, index_bytes 48, part_ids 56, part_id_bytes 64, part_id_stride 72, position_format 76, index_format 80, part_id_format 84, part_id_scope 88, reserved 92);
         check!(dm_drag_hint, 24, point 0, vector 12);
@@ -1940,7 +1947,7 @@ mod tests {
         check!(dm_hypothesis, 160, struct_size 0, reserved 4, joint 8, ends 16);
         check!(dm_choice, 24, struct_size 0, count 4, part 8, hypotheses 16);
         check!(dm_object_desc, 120, struct_size 0, flags 4, mesh 8, parts 16, part_count 24, reserved 28, model 32, seed 40, intent 48, intent_user 56, progress 64, progress_user 72, label 80, up 88, choose 104, choose_user 112);
-        check!(dm_object_info, 64, struct_size 0, part_count 4, vertex_count 8, triangle_count 16, box_min 24, box_max 36, size 48, pickable 52, degraded 56, reserved 60);
+        check!(dm_object_info, 64, struct_size 0, part_count 4, vertex_count 8, triangle_count 16, box_min 24, box_max 36, size 48, pickable 52, degraded 56, picking 60);
         check!(dm_asset_clip, 32, name 0, times 8, poses 16, key_count 24, flags 28);
         check!(dm_asset_node, 80, struct_size 0, flags 4, parent 8, follows 12, name 16, mesh_name 24, mesh 32, transform 40, pivot 48, clips 56, clip_count 64, reserved 68, joint 72);
         check!(dm_asset_desc, 80, struct_size 0, flags 4, nodes 8, label 16, node_count 24, min_moves 28, model 32, seed 40, progress 48, progress_user 56, up 64, reserved 76);
@@ -1959,7 +1966,7 @@ mod tests {
         check!(dm_camera, 56, struct_size 0, fov_y 4, eye 8, forward 20, up 32, viewport_width 44, viewport_height 48, ortho_height 52);
         check!(dm_scene_desc, 8, struct_size 0, reserved 4);
         check!(dm_hit, 72, struct_size 0, instance 4, object 8, part_id 16, triangle 20, distance 24, u 28, v 32, point 36, normal 48, object_point 60);
-        check!(dm_core_1, 496, struct_size 0, reserved 4, result_string 8, version 16, context_create 24, context_destroy 32, context_get_memory 40, model_load 48, model_unload 56, mesh_find_part 64, object_prepare 72, object_save 80, object_load 88, object_destroy 96, object_get_info 104, object_get_part 112, object_get_joint 120, object_get_hypotheses 128, object_refine 136, object_set_joint 144, object_reset_joint 152, joint_pose 160, joint_value 168, joint_get_frame 176, joint_scale 184, motion_generate 192, motion_sample 200, motion_get_frames 208, motion_destroy 216, drag_begin 224, drag_update 232, drag_release 240, drag_end 248, drag_get_part_state 256, drag_snapshot_size 264, drag_save 272, drag_restore 280, pose_multiply 288, pose_to_matrix 296, pose_apply_points 304, camera_ray 312, scene_create 320, scene_destroy 328, scene_add 336, scene_move 344, scene_remove 352, scene_commit 360, scene_pick 368, drag_step 376, drag_take 384, object_set_links 392, object_follow_links 400, joint_value_at 408, pose_inverse 416, pose_from_rotation 424, asset_create 432, asset_destroy 440, asset_get_info 448, asset_get_part 456, asset_get_joint 464, asset_get_part_nodes 472, asset_get_node_parts 480, asset_make_object 488);
+        check!(dm_core_1, 504, struct_size 0, reserved 4, result_string 8, version 16, context_create 24, context_destroy 32, context_get_memory 40, model_load 48, model_unload 56, mesh_find_part 64, object_prepare 72, object_save 80, object_load 88, object_destroy 96, object_get_info 104, object_get_part 112, object_get_joint 120, object_get_hypotheses 128, object_refine 136, object_set_joint 144, object_reset_joint 152, joint_pose 160, joint_value 168, joint_get_frame 176, joint_scale 184, motion_generate 192, motion_sample 200, motion_get_frames 208, motion_destroy 216, drag_begin 224, drag_update 232, drag_release 240, drag_end 248, drag_get_part_state 256, drag_snapshot_size 264, drag_save 272, drag_restore 280, pose_multiply 288, pose_to_matrix 296, pose_apply_points 304, camera_ray 312, scene_create 320, scene_destroy 328, scene_add 336, scene_move 344, scene_remove 352, scene_commit 360, scene_pick 368, drag_step 376, drag_take 384, object_set_links 392, object_follow_links 400, joint_value_at 408, pose_inverse 416, pose_from_rotation 424, asset_create 432, asset_destroy 440, asset_get_info 448, asset_get_part 456, asset_get_joint 464, asset_get_part_nodes 472, asset_get_node_parts 480, asset_make_object 488, context_trim 496);
         check!(dm_gltf_files, 24, user 0, open 8, close 16);
         check!(dm_gltf_desc, 104, struct_size 0, reserved 4, data 8, size 16, allocator 24, log 48, files 64, progress 88, progress_user 96);
         check!(dm_gltf_node, 64, name 0, node 8, carrier 12, first_vertex 16, vertex_count 24, first_face 32, face_count 40, colour 48);
@@ -1979,8 +1986,8 @@ mod tests {
         check!(dm_allocator, 12, user 0, allocate 4, release 8);
         check!(dm_log, 8, user 0, message 4);
         check!(dm_jobs, 8, user 0, parallel_for 4);
-        check!(dm_context_desc, 92, struct_size 0, axes 4, unit_in_metres 8, custom_axes 12, allocator 48, log 60, jobs 68, picking 76, reserved 80, progress 84, progress_user 88);
-        check!(dm_memory_info, 40, struct_size 0, reserved 4, bytes 8, peak_bytes 16, allocations 24, pick_bytes 32);
+        check!(dm_context_desc, 104, struct_size 0, axes 4, unit_in_metres 8, custom_axes 12, allocator 48, log 60, jobs 68, picking 76, reserved 80, progress 84, progress_user 88, kept_bytes 96);
+        check!(dm_memory_info, 48, struct_size 0, reserved 4, bytes 8, peak_bytes 16, allocations 24, pick_bytes 32, kept_bytes 40);
         check!(dm_model_desc, 28, struct_size 0, kinematics 4, kinematics_size 8, motion 12, motion_size 16, ranker 20, ranker_size 24);
         check!(dm_mesh_desc, 96, struct_size 0, position_stride 4, positions 8, vertex_count 16, position_bytes 24, indices 32, index_count 40, index_bytes 48, part_ids 56, part_id_bytes 64, part_id_stride 72, position_format 76, index_format 80, part_id_format 84, part_id_scope 88, reserved 92);
         check!(dm_drag_hint, 24, point 0, vector 12);
@@ -1994,7 +2001,7 @@ mod tests {
         check!(dm_hypothesis, 156, struct_size 0, reserved 4, joint 8, ends 12);
         check!(dm_choice, 16, struct_size 0, count 4, part 8, hypotheses 12);
         check!(dm_object_desc, 80, struct_size 0, flags 4, mesh 8, parts 12, part_count 16, reserved 20, model 24, seed 32, intent 40, intent_user 44, progress 48, progress_user 52, label 56, up 60, choose 72, choose_user 76);
-        check!(dm_object_info, 64, struct_size 0, part_count 4, vertex_count 8, triangle_count 16, box_min 24, box_max 36, size 48, pickable 52, degraded 56, reserved 60);
+        check!(dm_object_info, 64, struct_size 0, part_count 4, vertex_count 8, triangle_count 16, box_min 24, box_max 36, size 48, pickable 52, degraded 56, picking 60);
         check!(dm_asset_clip, 20, name 0, times 4, poses 8, key_count 12, flags 16);
         check!(dm_asset_node, 52, struct_size 0, flags 4, parent 8, follows 12, name 16, mesh_name 20, mesh 24, transform 28, pivot 32, clips 36, clip_count 40, reserved 44, joint 48);
         check!(dm_asset_desc, 64, struct_size 0, flags 4, nodes 8, label 12, node_count 16, min_moves 20, model 24, seed 32, progress 40, progress_user 44, up 48, reserved 60);
@@ -2013,7 +2020,7 @@ mod tests {
         check!(dm_camera, 56, struct_size 0, fov_y 4, eye 8, forward 20, up 32, viewport_width 44, viewport_height 48, ortho_height 52);
         check!(dm_scene_desc, 8, struct_size 0, reserved 4);
         check!(dm_hit, 72, struct_size 0, instance 4, object 8, part_id 16, triangle 20, distance 24, u 28, v 32, point 36, normal 48, object_point 60);
-        check!(dm_core_1, 252, struct_size 0, reserved 4, result_string 8, version 12, context_create 16, context_destroy 20, context_get_memory 24, model_load 28, model_unload 32, mesh_find_part 36, object_prepare 40, object_save 44, object_load 48, object_destroy 52, object_get_info 56, object_get_part 60, object_get_joint 64, object_get_hypotheses 68, object_refine 72, object_set_joint 76, object_reset_joint 80, joint_pose 84, joint_value 88, joint_get_frame 92, joint_scale 96, motion_generate 100, motion_sample 104, motion_get_frames 108, motion_destroy 112, drag_begin 116, drag_update 120, drag_release 124, drag_end 128, drag_get_part_state 132, drag_snapshot_size 136, drag_save 140, drag_restore 144, pose_multiply 148, pose_to_matrix 152, pose_apply_points 156, camera_ray 160, scene_create 164, scene_destroy 168, scene_add 172, scene_move 176, scene_remove 180, scene_commit 184, scene_pick 188, drag_step 192, drag_take 196, object_set_links 200, object_follow_links 204, joint_value_at 208, pose_inverse 212, pose_from_rotation 216, asset_create 220, asset_destroy 224, asset_get_info 228, asset_get_part 232, asset_get_joint 236, asset_get_part_nodes 240, asset_get_node_parts 244, asset_make_object 248);
+        check!(dm_core_1, 256, struct_size 0, reserved 4, result_string 8, version 12, context_create 16, context_destroy 20, context_get_memory 24, model_load 28, model_unload 32, mesh_find_part 36, object_prepare 40, object_save 44, object_load 48, object_destroy 52, object_get_info 56, object_get_part 60, object_get_joint 64, object_get_hypotheses 68, object_refine 72, object_set_joint 76, object_reset_joint 80, joint_pose 84, joint_value 88, joint_get_frame 92, joint_scale 96, motion_generate 100, motion_sample 104, motion_get_frames 108, motion_destroy 112, drag_begin 116, drag_update 120, drag_release 124, drag_end 128, drag_get_part_state 132, drag_snapshot_size 136, drag_save 140, drag_restore 144, pose_multiply 148, pose_to_matrix 152, pose_apply_points 156, camera_ray 160, scene_create 164, scene_destroy 168, scene_add 172, scene_move 176, scene_remove 180, scene_commit 184, scene_pick 188, drag_step 192, drag_take 196, object_set_links 200, object_follow_links 204, joint_value_at 208, pose_inverse 212, pose_from_rotation 216, asset_create 220, asset_destroy 224, asset_get_info 228, asset_get_part 232, asset_get_joint 236, asset_get_part_nodes 240, asset_get_node_parts 244, asset_make_object 248, context_trim 252);
         check!(dm_gltf_files, 12, user 0, open 4, close 8);
         check!(dm_gltf_desc, 56, struct_size 0, reserved 4, data 8, size 12, allocator 16, log 28, files 36, progress 48, progress_user 52);
         check!(dm_gltf_node, 64, name 0, node 4, carrier 8, first_vertex 16, vertex_count 24, first_face 32, face_count 40, colour 48);
