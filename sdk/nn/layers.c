@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#define MAX_NAME 96                    /* bytes of a tensor name, docs/networks.md has shorter ones */
-#define FORMAT_VERSION 1               /* of the weight files, docs/networks.md */
-#define BLOCK_SIZE ((size_t)64 * 1024) /* bytes of an arena block; by hand */
+#define MAX_NAME 96                     /* bytes of a tensor name, docs/networks.md has shorter ones */
+#define FORMAT_VERSION 1                /* of the weight files, docs/networks.md */
+#define BLOCK_SIZE ((size_t)256 * 1024) /* bytes of an arena block; by hand */
 
 dm_result dmi_load_network(dmi_env* env, const void* data, size_t size, const char* architecture,
                            dmi_read_network* read, void* network, dmi_arena* keep) {
@@ -36,16 +36,35 @@ static float* push(dmi_loader* loader, dmi_arena* arena, size_t count) {
         dmi_fail(loader->env, DM_ERROR_OUT_OF_MEMORY, "weights: no memory for %zu numbers", count);
         return fail(loader, DM_ERROR_OUT_OF_MEMORY);
     }
-    memset(memory, 0, count * sizeof(float));
+    return memory;
+}
+
+static float* push_zeros(dmi_loader* loader, dmi_arena* arena, size_t count) {
+    float* memory = push(loader, arena, count);
+    if (memory != NULL) memset(memory, 0, count * sizeof(float));
     return memory;
 }
 
 float* dmi_load_alloc(dmi_loader* loader, size_t count) {
-    return push(loader, loader->keep, count);
+    return push_zeros(loader, loader->keep, count);
 }
 
 float* dmi_load_spare(dmi_loader* loader, size_t count) {
-    return push(loader, loader->spare, count);
+    return push_zeros(loader, loader->spare, count);
+}
+
+/* Returns the index of the first number that is not finite; `count` when all are. */
+static size_t first_not_finite(const float* numbers, size_t count) {
+    const uint32_t exponent = 0x7f800000u;
+    uint32_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        uint32_t bits;
+        memcpy(&bits, &numbers[i], sizeof bits);
+        found |= (uint32_t)((bits & exponent) == exponent);
+    }
+    size_t i = found ? 0 : count;
+    while (i < count && isfinite(numbers[i])) i++;
+    return i;
 }
 
 float* dmi_load_tensor(dmi_loader* loader, const char* name, uint32_t rows, uint32_t cols) {
@@ -54,23 +73,21 @@ float* dmi_load_tensor(dmi_loader* loader, const char* name, uint32_t rows, uint
     float* tensor = push(loader, loader->spare, count);
     if (tensor == NULL) return NULL;
     if (!dmi_weights_read(loader->weights, name, rows, cols, tensor)) return fail(loader, DM_ERROR_BAD_DATA);
-    for (size_t i = 0; i < count; i++)
-        if (!isfinite(tensor[i])) {
-            dmi_fail(loader->env, DM_ERROR_BAD_DATA, "weights: number %zu of '%s' is not finite", i, name);
-            return fail(loader, DM_ERROR_BAD_DATA);
-        }
-    return tensor;
+    const size_t bad = first_not_finite(tensor, count);
+    if (bad == count) return tensor;
+    dmi_fail(loader->env, DM_ERROR_BAD_DATA, "weights: number %zu of '%s' is not finite", bad, name);
+    return fail(loader, DM_ERROR_BAD_DATA);
 }
 
 float* dmi_load_part(dmi_loader* loader, const char* prefix, const char* suffix, uint32_t rows, uint32_t cols) {
-    char name[MAX_NAME];
+    char name[2 * MAX_NAME];
     snprintf(name, sizeof name, "%s%s", prefix, suffix);
     return dmi_load_tensor(loader, name, rows, cols);
 }
 
 void dmi_pack_linear(dmi_loader* loader, const float* weight, size_t stride, const float* bias, uint32_t inputs,
                      uint32_t outputs, dmi_linear* out_linear) {
-    float* panels = dmi_load_alloc(loader, dmi_panels_size(outputs, inputs));
+    float* panels = push(loader, loader->keep, dmi_panels_size(outputs, inputs)); /* packing fills all of it */
     float* padded = bias != NULL ? dmi_load_alloc(loader, dmi_padded_columns(outputs)) : NULL;
     *out_linear = (dmi_linear){panels, padded, inputs, outputs};
     if (loader->result != DM_OK) return;

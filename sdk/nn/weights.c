@@ -197,18 +197,31 @@ void dmi_weights_close(dmi_weights* weights) {
     dmi_free(env, weights, sizeof *weights);
 }
 
-/* Converts IEEE 754 binary16 to binary32 exactly, with subnormals, infinities and NaN. */
+/* Converts IEEE 754 binary16 to binary32 exactly, with subnormals, infinities and NaN, and without a branch. */
 static float widen(uint16_t half) {
-    const uint32_t sign = (uint32_t)(half & 0x8000u) << 16, exponent = half >> 10 & 0x1fu, fraction = half & 0x3ffu;
-    const uint32_t bias = exponent == 0x1f ? 0xe0 : 127 - 15; /* 0x1f + 0xe0 = 0xff: infinity and NaN */
-    const uint32_t bits = sign | (exponent + bias) << 23 | fraction << 13;
+    const uint32_t special = 0u - (uint32_t)((half & 0x7c00u) == 0x7c00u); /* all ones: infinity or NaN */
+    const uint32_t magnitude = (half & 0x7fffu) << 13;
+    uint32_t bits;
     float value;
-    if (exponent == 0) {
-        value = (float)fraction * 0x1p-24f; /* subnormal */
-        return sign ? -value : value;
-    }
+    memcpy(&value, &magnitude, sizeof value);
+    value *= 0x1p112f; /* the difference of the exponents' biases; also makes a subnormal normal */
+    memcpy(&bits, &value, sizeof bits);
+    bits |= (uint32_t)(half & 0x8000u) << 16 | (special & (0x7f800000u | magnitude));
     memcpy(&value, &bits, sizeof value);
     return value;
+}
+
+/* Halves are little-endian; where the machine is too, the loop becomes vector code. */
+static void widen_all(const unsigned char* data, size_t count, float* out) {
+    for (size_t i = 0; i < count; i++) {
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+        uint16_t half;
+        memcpy(&half, data + 2 * i, sizeof half);
+        out[i] = widen(half);
+#else
+        out[i] = widen((uint16_t)(data[2 * i] | data[2 * i + 1] << 8));
+#endif
+    }
 }
 
 /* Returns the tensor; NULL, and a log line, when there is none of this shape. */
@@ -235,8 +248,7 @@ bool dmi_weights_read(const dmi_weights* weights, const char* name, uint32_t row
         memcpy(out, data, found->end - found->begin);
         return true;
     }
-    for (size_t i = 0; i < (found->end - found->begin) / 2; i++)
-        out[i] = widen((uint16_t)(data[2 * i] | data[2 * i + 1] << 8));
+    widen_all(data, (found->end - found->begin) / 2, out);
     return true;
 }
 

@@ -23,7 +23,7 @@ static int read_tree(const raw_tree* raw, dmi_tree_node* nodes, float* scores, u
             scores[n] = value;
             continue;
         }
-        if (!(column >= 0 && column < DMI_FEATURE_COUNT && column == floorf(column)) || left <= n ||
+        if (!(column >= 0 && column < DMI_FEATURE_COUNT && column == (float)(uint8_t)column) || left <= n ||
             left >= DMI_TREE_NODES - 1)
             return 0;
         nodes[n] = (dmi_tree_node){.value = value, .column = (uint8_t)column, .left = (uint8_t)left};
