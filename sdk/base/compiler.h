@@ -9,6 +9,8 @@
 
 /* Before `static inline`: inlined although called often. */
 #define DMI_ALWAYS_INLINE __attribute__((always_inline))
+/* Asks for the line of the cache at an address, which need not be readable. */
+#define DMI_PREFETCH(address) __builtin_prefetch(address)
 #define DMI_NO_INLINE __attribute__((noinline))
 /* All calls in the function's body are inlined, so that they get its instruction set. */
 #define DMI_FLATTEN __attribute__((flatten))
@@ -71,6 +73,7 @@ static inline uint32_t dmi_floor_log2(uint64_t value) {
 #else
 
 #define DMI_ALWAYS_INLINE
+#define DMI_PREFETCH(address) ((void)(address))
 #define DMI_NO_INLINE
 #define DMI_FLATTEN
 #define DMI_TARGET(sets)

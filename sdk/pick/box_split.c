@@ -7,6 +7,7 @@
 #include "pick/lanes.h"
 
 #define BINS 16          /* an axis; by hand: 32 build 15 % slower and trace no faster */
+#define MANY 64          /* items from which on DMI_SPLIT_FAST looks along one axis; by hand */
 #define BIN_EDGE 0.9999f /* of BINS: keeps the largest centre in the last bin; by hand */
 
 typedef struct bins {
@@ -17,7 +18,8 @@ typedef struct bins {
 /* Bins along each axis: (centre - low) * scale. */
 typedef struct binning {
     float low[4], scale[4];
-    int bins; /* BINS, or as many as items */
+    int bins;        /* BINS, or as many as items */
+    int first, last; /* axes that are looked at */
 } binning;
 
 typedef struct split {
@@ -57,19 +59,22 @@ static void add(dmi_box_range* range, const dmi_box_item* item) {
     range->count++;
 }
 
-float dmi_box_area(const dmi_box* box) {
-    const float x = box->high[0] - box->low[0], y = box->high[1] - box->low[1], z = box->high[2] - box->low[2];
-    return x * y + y * z + z * x;
-}
-
 void dmi_box_range_measure(const dmi_box_item* items, dmi_box_range* range) {
     const uint32_t count = range->count;
     start(range, range->first);
     for (uint32_t i = 0; i < count; i++) add(range, &items[range->first + i]);
 }
 
-static binning make_binning(const dmi_box* centres, uint32_t count) {
-    binning b = {{0}, {0}, count < BINS ? (int)count : BINS};
+static int longest_axis(const dmi_box* box) {
+    int longest = 0;
+    for (int axis = 1; axis < 3; axis++)
+        if (box->high[axis] - box->low[axis] > box->high[longest] - box->low[longest]) longest = axis;
+    return longest;
+}
+
+static binning make_binning(const dmi_box* centres, uint32_t count, dmi_box_splits how) {
+    binning b = {{0}, {0}, count < BINS ? (int)count : BINS, 0, 2};
+    if (how == DMI_SPLIT_FAST && count >= MANY) b.first = b.last = longest_axis(centres);
     for (int axis = 0; axis < 3; axis++) {
         const float extent = centres->high[axis] - centres->low[axis];
         b.low[axis] = centres->low[axis];
@@ -85,7 +90,7 @@ static void find_bins(const binning* b, const dmi_box_item* item, float out[4]) 
 }
 
 static void fill_bins(const dmi_box_item* items, uint32_t count, const binning* b, bins* out) {
-    for (int axis = 0; axis < 3; axis++)
+    for (int axis = b->first; axis <= b->last; axis++)
         for (int i = 0; i < b->bins; i++) {
             clear(&out->box[axis][i]);
             out->count[axis][i] = 0;
@@ -94,7 +99,7 @@ static void fill_bins(const dmi_box_item* items, uint32_t count, const binning* 
         const dmi_lanes low = item_low(&items[i]), high = item_high(&items[i]);
         float bin[4];
         find_bins(b, &items[i], bin);
-        for (int axis = 0; axis < 3; axis++) {
+        for (int axis = b->first; axis <= b->last; axis++) {
             const int k = (int)bin[axis];
             grow(&out->box[axis][k], low, high);
             out->count[axis][k]++;
@@ -167,14 +172,14 @@ static bool tell(const dmi_box_range* range, const dmi_progress* progress) {
 }
 
 /* Sorts a range of two items or more into two, neither empty; `out` may include `range`. False when it is cancelled. */
-static bool split_range(dmi_box_item* items, const dmi_box_range* range, uint32_t block, int halve,
+static bool split_range(dmi_box_item* items, const dmi_box_range* range, uint32_t block, dmi_box_splits how,
                         const dmi_progress* progress, dmi_box_range out[2]) {
-    const binning b = make_binning(&range->centres, range->count);
+    const binning b = make_binning(&range->centres, range->count, how);
     split best = {INFINITY, 0, 0};
-    if (!halve) {
+    if (how != DMI_SPLIT_IN_HALVES) {
         bins filled;
         fill_bins(items + range->first, range->count, &b, &filled);
-        for (int axis = 0; axis < 3; axis++) {
+        for (int axis = b.first; axis <= b.last; axis++) {
             if (b.scale[axis] > 0) sweep(&filled, b.bins, axis, block, &best);
         }
     }
@@ -200,14 +205,14 @@ static uint32_t largest(const dmi_box_range* ranges, uint32_t count, uint32_t bl
     return best;
 }
 
-uint32_t dmi_box_split_up(dmi_box_item* items, uint32_t block, int halve, dmi_box_range* ranges, uint32_t most,
+uint32_t dmi_box_split_up(dmi_box_item* items, uint32_t block, dmi_box_splits how, dmi_box_range* ranges, uint32_t most,
                           const dmi_progress* progress) {
     uint32_t count = 1;
     while (count < most) {
         const uint32_t i = largest(ranges, count, block);
         if (i == count) break;
         dmi_box_range two[2];
-        if (!split_range(items, &ranges[i], block, halve, progress, two)) return 0;
+        if (!split_range(items, &ranges[i], block, how, progress, two)) return 0;
         ranges[i] = two[0];
         ranges[count++] = two[1];
     }

@@ -25,13 +25,22 @@ typedef struct dmi_box_range {
 
 /* Measures a range whose first and count are set. */
 void dmi_box_range_measure(const dmi_box_item* items, dmi_box_range* range);
+/* How a range is split. */
+typedef enum dmi_box_splits {
+    DMI_SPLIT_BY_COST,  /* where it costs least, along any axis */
+    DMI_SPLIT_FAST,     /* the same, but large ranges along the longest axis of their centres alone */
+    DMI_SPLIT_IN_HALVES /* as many items on either side */
+} dmi_box_splits;
+
 /* Splits the range ranges[0] into up to `most`, always the one with the largest box of those of more than `block`
- * items; returns how many there are. Groups of up to `block` items cost as much as one. Where bins tell nothing, or
- * with `halve`, the halves are as large as each other. Reports large ones; returns 0 when it is
- * cancelled. */
-uint32_t dmi_box_split_up(dmi_box_item* items, uint32_t block, int halve, dmi_box_range* ranges, uint32_t most,
+ * items; returns how many there are. Groups of up to `block` items cost as much as one. Where bins tell nothing, the
+ * halves are as large as each other. Reports large ones; returns 0 when it is cancelled. */
+uint32_t dmi_box_split_up(dmi_box_item* items, uint32_t block, dmi_box_splits how, dmi_box_range* ranges, uint32_t most,
                           const dmi_progress* progress);
 /* Half the surface. */
-float dmi_box_area(const dmi_box* box);
+static inline float dmi_box_area(const dmi_box* box) {
+    const float x = box->high[0] - box->low[0], y = box->high[1] - box->low[1], z = box->high[2] - box->low[2];
+    return x * y + y * z + z * x;
+}
 
 #endif

@@ -62,14 +62,23 @@ static double determinant(const double m[DMI_MATRIX]) {
 
 /* ---- places ---- */
 
-static float round_down(double x) {
-    const float f = (float)x;
-    return (double)f > x ? nextafterf(f, -INFINITY) : f;
+/* nextafterf is a call that looks at everything; f is finite here. */
+static float next_up(float f) {
+    int32_t bits;
+    memcpy(&bits, &f, sizeof bits);
+    if (f == 0) return 0x1p-149f;
+    bits += f > 0 ? 1 : -1;
+    memcpy(&f, &bits, sizeof bits);
+    return f;
 }
 
 static float round_up(double x) {
     const float f = (float)x;
-    return (double)f < x ? nextafterf(f, INFINITY) : f;
+    return (double)f < x ? next_up(f) : f;
+}
+
+static float round_down(double x) {
+    return -round_up(-x);
 }
 
 /* Box of the moved box of a part. */
@@ -90,17 +99,43 @@ static void measure_box(const dmi_placed_part* part, dmi_box* out) {
     }
 }
 
-void dmi_placed_part_update(dmi_placed_part* part, const double placement[DMI_MATRIX],
-                            const double from_inner[DMI_MATRIX], dmi_box* out_box) {
-    double pose[DMI_MATRIX];
-    dmi_pose_matrix_f64(&part->pose, pose);
-    multiply(pose, from_inner, part->to_object);
+/* Whether a part stands at rest, where most parts of a level stand. */
+static bool is_at_rest(const dm_pose* pose) {
+    static const dm_pose rest = {{0, 0, 0, 1}, {0, 0, 0, 0}};
+    return memcmp(pose, &rest, sizeof rest) == 0;
+}
+
+/* Sets what moves with a part from the matrix to_object. */
+static void place_part(dmi_placed_part* part, const double placement[DMI_MATRIX]) {
     multiply(placement, part->to_object, part->to_world);
     const double* m = part->to_world;
     part->scale = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
     part->inverse_scale = 1 / part->scale;
     part->winding = determinant(m) < 0 ? -1 : 1;
     invert(m, part->inverse_scale, part->from_world);
+}
+
+static void copy_place(const dmi_placed_part* from, dmi_placed_part* part) {
+    part->scale = from->scale;
+    part->inverse_scale = from->inverse_scale;
+    part->winding = from->winding;
+    memcpy(part->from_world, from->from_world, sizeof part->from_world);
+    memcpy(part->to_world, from->to_world, sizeof part->to_world);
+    memcpy(part->to_object, from->to_object, sizeof part->to_object);
+}
+
+void dmi_placed_part_update(dmi_placed_part* part, const double placement[DMI_MATRIX],
+                            const double from_inner[DMI_MATRIX], const dmi_placed_part** at_rest, dmi_box* out_box) {
+    const bool rests = is_at_rest(&part->pose);
+    if (rests && *at_rest != NULL) {
+        copy_place(*at_rest, part);
+    } else {
+        double pose[DMI_MATRIX];
+        dmi_pose_matrix_f64(&part->pose, pose);
+        multiply(pose, from_inner, part->to_object);
+        place_part(part, placement);
+    }
+    if (rests) *at_rest = part;
     part->moved = false;
     measure_box(part, out_box);
 }

@@ -95,9 +95,10 @@ typedef struct dmi_world_hit {
     uint32_t face;
 } dmi_world_hit;
 
-/* Computes matrices and box of a part that has moved. */
+/* Computes matrices and box of a part that has moved. at_rest: of the parts of an object that are updated one after the
+ * other, the last that is at rest, NULL at first; parts at rest share their matrices. */
 void dmi_placed_part_update(dmi_placed_part* part, const double placement[DMI_MATRIX],
-                            const double from_inner[DMI_MATRIX], dmi_box* out_box);
+                            const double from_inner[DMI_MATRIX], const dmi_placed_part** at_rest, dmi_box* out_box);
 /* Finds the nearest hit among the parts of a scene, zeros where there is none. With the same bits from each. */
 typedef void dmi_scene_trace(const dmi_top_tree* tree, const dm_ray* host_ray, dm_hit* out_hit);
 dmi_scene_trace dmi_scene_trace_plain;

@@ -80,15 +80,17 @@ static dm_result grow(dmi_scene* scene) {
     return DM_OK;
 }
 
+/* The matrices wait for the commit: they are most of the memory. */
 static dm_result make_parts(dmi_scene* scene, dmi_placed_object* placed) {
     dm_result result = DM_OK;
     for (uint32_t p = 0; p < placed->bvh->part_count; p++) {
         dmi_placed_part* part = &placed->parts[p];
-        *part = (dmi_placed_part){.owner = placed,
-                                  .shape = &placed->bvh->parts[p],
-                                  .first_hit = scene->picker->backend->first_hit,
-                                  .leaf = DMI_TOP_NONE,
-                                  .pose = dmi_pose_identity()};
+        part->owner = placed;
+        part->shape = &placed->bvh->parts[p];
+        part->first_hit = scene->picker->backend->first_hit;
+        part->leaf = DMI_TOP_NONE;
+        part->moved = false;
+        part->pose = dmi_pose_identity();
         if (result == DM_OK && placed->bvh->parts[p].tree != NULL)
             result = dmi_top_tree_add(&scene->tree, part, &part->leaf);
     }
@@ -122,15 +124,12 @@ static dm_result check_size(dmi_env* env, const dmi_frame* frame) {
 static dm_result make_placed(dmi_scene* scene, const dmi_bvh* bvh, const dmi_frame* frame, dm_object object,
                              const dm_pose* placement, dmi_placed_object** out_placed) {
     dmi_env* env = scene->picker->env;
-    dmi_placed_object* placed = dmi_alloc_zeroed(env, placed_size(bvh), DMI_ALIGNMENT);
+    dmi_placed_object* placed = dmi_alloc(env, placed_size(bvh), DMI_ALIGNMENT);
     if (placed == NULL) {
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for an instance of %u parts", bvh->part_count);
     }
-    placed->bvh = bvh;
-    placed->frame = *frame;
-    placed->object = object;
-    placed->placement = *placement;
-    placed->moved = true;
+    *placed =
+        (dmi_placed_object){.bvh = bvh, .frame = *frame, .object = object, .placement = *placement, .moved = true};
     const dm_result result = make_parts(scene, placed);
     if (result != DM_OK) {
         release_placed(scene, placed);
@@ -204,13 +203,14 @@ dm_result dmi_scene_remove(dmi_scene* scene, uint32_t instance) {
 /* Computes what has moved of an object; returns how many parts of the tree that concerns. */
 static uint32_t update_placed(dmi_scene* scene, dmi_placed_object* placed) {
     double placement[DMI_MATRIX], from_inner[DMI_MATRIX] = {0};
+    const dmi_placed_part* at_rest = NULL;
     uint32_t changed = 0;
     dmi_pose_matrix_f64(&placed->placement, placement);
     dmi_frame_matrix_out(&placed->frame, from_inner);
     for (uint32_t p = 0; p < placed->bvh->part_count; p++) {
         dmi_placed_part* part = &placed->parts[p];
         if (part->leaf == DMI_TOP_NONE || !(placed->moved || part->moved)) continue;
-        dmi_placed_part_update(part, placement, from_inner, &scene->tree.leaves[part->leaf].box);
+        dmi_placed_part_update(part, placement, from_inner, &at_rest, &scene->tree.leaves[part->leaf].box);
         part->moved = true; /* until it is placed */
         changed++;
     }
@@ -218,7 +218,17 @@ static uint32_t update_placed(dmi_scene* scene, dmi_placed_object* placed) {
     return changed;
 }
 
-/* Takes the objects off the list, and puts their moved parts where they belong now. */
+/* Puts a part that has moved where it belongs now; what is new waits for the others. */
+static void place_part(dmi_top_tree* tree, uint32_t leaf, bool rebuild) {
+    if (rebuild)
+        tree->leaves[leaf].placed = true;
+    else if (tree->leaves[leaf].placed)
+        dmi_top_tree_place(tree, leaf);
+    else
+        dmi_top_tree_wait(tree, leaf);
+}
+
+/* Takes the objects off the list, and places their moved parts. */
 static void place_dirty(dmi_scene* scene, bool rebuild) {
     while (scene->dirty != NULL) {
         dmi_placed_object* placed = scene->dirty;
@@ -227,10 +237,7 @@ static void place_dirty(dmi_scene* scene, bool rebuild) {
             dmi_placed_part* part = &placed->parts[p];
             if (!part->moved || part->leaf == DMI_TOP_NONE) continue;
             part->moved = false;
-            if (rebuild)
-                scene->tree.leaves[part->leaf].placed = true;
-            else
-                dmi_top_tree_place(&scene->tree, part->leaf);
+            place_part(&scene->tree, part->leaf, rebuild);
         }
     }
 }
@@ -244,7 +251,8 @@ void dmi_scene_commit(dmi_scene* scene) {
     if (rebuild)
         dmi_top_tree_rebuild(&scene->tree);
     else
-        dmi_top_tree_settle(&scene->tree);
+        dmi_top_tree_place_waiting(&scene->tree);
+    dmi_top_tree_settle(&scene->tree);
 }
 
 /* ---- pick ---- */

@@ -11,7 +11,8 @@
 #define FIRST_CAPACITY 8                                     /* leaves; doubles when full */
 #define MOST_PENDING (DMI_WIDE * (DMI_TOP_FREE_LEVELS + 32)) /* ranges of a rebuild that wait */
 #define ENTRIES (DMI_WIDE + 1)                               /* of a node that overflows */
-#define LEAST_ENTRIES 2                                      /* of each half */
+#define MOST_SPREAD 2   /* surface of a group of new leaves, of that of the leaves beside it; by hand */
+#define LEAST_ENTRIES 2 /* of each half */
 
 /* A child with its box. */
 typedef struct entry {
@@ -26,11 +27,6 @@ static dmi_box join(const dmi_box* a, const dmi_box* b) {
     dmi_lanes_store(joined.low, dmi_lanes_min(dmi_lanes_load(a->low), dmi_lanes_load(b->low)));
     dmi_lanes_store(joined.high, dmi_lanes_max(dmi_lanes_load(a->high), dmi_lanes_load(b->high)));
     return joined;
-}
-
-static float joined_area(const dmi_box* a, const dmi_box* b) {
-    const dmi_box joined = join(a, b);
-    return dmi_box_area(&joined);
 }
 
 static bool same(const dmi_box* a, const dmi_box* b) {
@@ -99,9 +95,10 @@ static uint32_t slot_of(const dmi_top_tree* tree, uint32_t parent, uint32_t refe
 
 /* Returns a node without children; its parent is not set. */
 static uint32_t take_node(dmi_top_tree* tree) {
-    const uint32_t index = tree->free_node;
+    const bool used = tree->free_node != DMI_TOP_NONE;
+    const uint32_t index = used ? tree->free_node : tree->used_nodes++;
     dmi_top_node* node = &tree->nodes[index];
-    tree->free_node = node->parent;
+    if (used) tree->free_node = node->parent;
     node->count = 0;
     memset(node->wide.child, 0, sizeof node->wide.child);
     for (int k = 0; k < 3; k++)
@@ -219,18 +216,36 @@ static void add_or_split(dmi_top_tree* tree, uint32_t index, const entry* added)
 
 /* ---- putting in and taking out ---- */
 
+/* Computes the surface of four children from `first` on, and by how much it grows when a box joins them. */
+static void measure_growth(const dmi_wide_node* node, uint32_t first, const dmi_box* box, float out_area[4],
+                           float out_growth[4]) {
+    dmi_lanes own[3], joined[3];
+    for (int k = 0; k < 3; k++) {
+        const dmi_lanes low = dmi_lanes_load(node->planes[k] + first),
+                        high = dmi_lanes_load(node->planes[3 + k] + first);
+        own[k] = dmi_lanes_sub(high, low);
+        joined[k] = dmi_lanes_sub(dmi_lanes_max(high, dmi_lanes_all(box->high[k])),
+                                  dmi_lanes_min(low, dmi_lanes_all(box->low[k])));
+    }
+    dmi_lanes area[2];
+    const dmi_lanes* sides[2] = {own, joined};
+    for (int i = 0; i < 2; i++) {
+        const dmi_lanes* s = sides[i];
+        area[i] = dmi_lanes_add(dmi_lanes_add(dmi_lanes_mul(s[0], s[1]), dmi_lanes_mul(s[1], s[2])),
+                                dmi_lanes_mul(s[2], s[0]));
+    }
+    dmi_lanes_store(out_area, area[0]);
+    dmi_lanes_store(out_growth, dmi_lanes_sub(area[1], area[0]));
+}
+
 /* Returns the child of a node whose box grows least, the smaller one of two. */
 static uint32_t choose_child(const dmi_top_node* node, const dmi_box* box) {
+    float area[DMI_WIDE], growth[DMI_WIDE];
+    for (uint32_t first = 0; first < DMI_WIDE; first += DMI_WIDE / 2)
+        measure_growth(&node->wide, first, box, area + first, growth + first);
     uint32_t best = 0;
-    float best_growth = INFINITY, best_area = INFINITY;
-    for (uint32_t i = 0; i < node->count; i++) {
-        const dmi_box child = child_box(&node->wide, i);
-        const float area = dmi_box_area(&child), growth = joined_area(&child, box) - area;
-        if (growth > best_growth || (growth == best_growth && area >= best_area)) continue;
-        best = i;
-        best_growth = growth;
-        best_area = area;
-    }
+    for (uint32_t i = 1; i < node->count; i++)
+        if (growth[i] < growth[best] || (growth[i] == growth[best] && area[i] < area[best])) best = i;
     return best;
 }
 
@@ -297,119 +312,132 @@ void dmi_top_tree_init(dmi_top_tree* tree, dmi_env* env) {
     *tree = (dmi_top_tree){.env = env, .root = DMI_TOP_NONE, .free_leaf = DMI_TOP_NONE, .free_node = DMI_TOP_NONE};
 }
 
-static void release_arrays(dmi_env* env, dmi_top_node* nodes, dmi_top_leaf* leaves, dmi_box_item* items,
-                           size_t capacity) {
-    dmi_free(env, nodes, capacity * sizeof *nodes);
-    dmi_free(env, leaves, capacity * sizeof *leaves);
-    dmi_free(env, items, capacity * sizeof *items);
-}
-
 void dmi_top_tree_release(dmi_top_tree* tree) {
-    release_arrays(tree->env, tree->nodes, tree->leaves, tree->items, tree->capacity);
+    const size_t capacity = tree->capacity;
+    dmi_free(tree->env, tree->nodes, capacity * sizeof *tree->nodes);
+    dmi_free(tree->env, tree->leaves, capacity * sizeof *tree->leaves);
+    dmi_free(tree->env, tree->items, capacity * sizeof *tree->items);
+    dmi_free(tree->env, tree->sorted, capacity * sizeof *tree->sorted);
 }
 
-/* Doubles the room; the new nodes and leaves are free. */
+/* Doubles the room. */
 static dm_result expand(dmi_top_tree* tree) {
     dmi_env* env = tree->env;
-    const uint32_t old = tree->capacity, capacity = old > 0 ? 2 * old : FIRST_CAPACITY;
-    dmi_top_node* nodes = dmi_alloc(env, capacity * sizeof *nodes, DMI_ALIGNMENT);
-    dmi_top_leaf* leaves = dmi_alloc(env, capacity * sizeof *leaves, DMI_ALIGNMENT);
-    dmi_box_item* items = dmi_alloc(env, capacity * sizeof *items, DMI_ALIGNMENT);
-    if (nodes == NULL || leaves == NULL || items == NULL) {
-        release_arrays(env, nodes, leaves, items, capacity);
-        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for a scene of %u parts", capacity);
+    const size_t capacity = tree->capacity > 0 ? 2 * (size_t)tree->capacity : FIRST_CAPACITY;
+    dmi_top_tree grown = *tree;
+    grown.capacity = (uint32_t)capacity;
+    grown.nodes = dmi_alloc(env, capacity * sizeof *grown.nodes, DMI_ALIGNMENT);
+    grown.leaves = dmi_alloc(env, capacity * sizeof *grown.leaves, DMI_ALIGNMENT);
+    grown.items = dmi_alloc(env, capacity * sizeof *grown.items, DMI_ALIGNMENT);
+    grown.sorted = dmi_alloc(env, capacity * sizeof *grown.sorted, DMI_ALIGNMENT);
+    if (grown.nodes == NULL || grown.leaves == NULL || grown.items == NULL || grown.sorted == NULL) {
+        dmi_top_tree_release(&grown);
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for a scene of %u parts", grown.capacity);
     }
-    if (old > 0) {
-        memcpy(nodes, tree->nodes, old * sizeof *nodes);
-        memcpy(leaves, tree->leaves, old * sizeof *leaves);
-    }
-    for (uint32_t i = old; i < capacity; i++) {
-        nodes[i].parent = i + 1 < capacity ? i + 1 : tree->free_node;
-        leaves[i].parent = i + 1 < capacity ? i + 1 : tree->free_leaf;
-        leaves[i].placed = false;
+    if (tree->capacity > 0) {
+        memcpy(grown.nodes, tree->nodes, tree->used_nodes * sizeof *grown.nodes);
+        memcpy(grown.leaves, tree->leaves, tree->used_leaves * sizeof *grown.leaves);
+        memcpy(grown.items, tree->items, tree->used_leaves * sizeof *grown.items);
     }
     dmi_top_tree_release(tree);
-    tree->nodes = nodes;
-    tree->leaves = leaves;
-    tree->items = items;
-    tree->capacity = capacity;
-    tree->free_node = tree->free_leaf = old;
+    *tree = grown;
     return DM_OK;
 }
 
 dm_result dmi_top_tree_add(dmi_top_tree* tree, void* item, uint32_t* out_leaf) {
-    if (tree->free_leaf == DMI_TOP_NONE) {
-        const dm_result result = expand(tree);
+    uint32_t leaf = tree->free_leaf;
+    if (leaf != DMI_TOP_NONE) {
+        tree->free_leaf = tree->leaves[leaf].parent;
+    } else {
+        const dm_result result = tree->used_leaves == tree->capacity ? expand(tree) : DM_OK;
         if (result != DM_OK) return result;
+        leaf = tree->used_leaves++;
     }
-    const uint32_t leaf = tree->free_leaf;
-    tree->free_leaf = tree->leaves[leaf].parent;
-    tree->leaves[leaf] = (dmi_top_leaf){.item = item, .parent = DMI_TOP_NONE};
+    tree->items[leaf] = item;
+    tree->leaves[leaf].parent = DMI_TOP_NONE;
+    tree->leaves[leaf].placed = false;
     *out_leaf = leaf;
     return DM_OK;
 }
 
 void dmi_top_tree_remove(dmi_top_tree* tree, uint32_t leaf) {
     if (tree->leaves[leaf].placed) take_out(tree, leaf);
-    tree->leaves[leaf].item = NULL;
+    tree->items[leaf] = NULL;
     tree->leaves[leaf].parent = tree->free_leaf;
     tree->free_leaf = leaf;
 }
 
 /* ---- rebuilding ---- */
 
+static void set_item(dmi_top_tree* tree, uint32_t at, uint32_t leaf) {
+    const dmi_box* box = &tree->leaves[leaf].box;
+    dmi_box_item* item = &tree->sorted[at];
+    memcpy(item->low, box->low, sizeof item->low);
+    memcpy(item->high, box->high, sizeof item->high);
+    item->id = leaf;
+    item->unused = 0;
+}
+
 static uint32_t gather(dmi_top_tree* tree) {
     uint32_t count = 0;
-    for (uint32_t i = 0; i < tree->capacity; i++) {
-        const dmi_top_leaf* leaf = &tree->leaves[i];
-        if (!leaf->placed) continue;
-        dmi_box_item* item = &tree->items[count++];
-        memcpy(item->low, leaf->box.low, sizeof item->low);
-        memcpy(item->high, leaf->box.high, sizeof item->high);
-        item->id = i;
-        item->unused = 0;
-    }
+    for (uint32_t i = 0; i < tree->used_leaves; i++)
+        if (tree->leaves[i].placed) set_item(tree, count++, i);
     return count;
 }
 
-/* Items first … that become a child of node `parent`. */
+/* Leaves that become a child of node `parent`. */
 typedef struct pending {
-    uint32_t first, count, parent, level;
+    dmi_box_range range;
+    uint32_t parent, level;
 } pending;
 
-/* Splits a range into up to eight; returns how many, and the box of all. */
-static uint32_t split_range(dmi_top_tree* tree, const pending* work, dmi_box* out_box, dmi_box_range out[DMI_WIDE]) {
-    out[0] = (dmi_box_range){.first = work->first, .count = work->count};
-    dmi_box_range_measure(tree->items, &out[0]);
-    *out_box = out[0].box;
-    return dmi_box_split_up(tree->items, 1, work->level >= DMI_TOP_FREE_LEVELS, out, DMI_WIDE, NULL);
+static dmi_box item_box(const dmi_box_item* item) {
+    dmi_box box = {{0}, {0}};
+    memcpy(box.low, item->low, sizeof item->low);
+    memcpy(box.high, item->high, sizeof item->high);
+    return box;
+}
+
+static void add_leaf(dmi_top_tree* tree, uint32_t index, uint32_t at) {
+    const dmi_box_item* item = &tree->sorted[at];
+    const entry leaf = {item_box(item), DMI_LEAF | item->id};
+    add_child(tree, index, &leaf);
+}
+
+/* Splits a range that one node can't hold; its children of several leaves wait. Returns how many wait then. */
+static uint32_t add_children(dmi_top_tree* tree, uint32_t index, const pending* work, pending* stack,
+                             uint32_t waiting) {
+    const dmi_box_splits how = work->level < DMI_TOP_FREE_LEVELS ? DMI_SPLIT_FAST : DMI_SPLIT_IN_HALVES;
+    dmi_box_range ranges[DMI_WIDE] = {work->range};
+    const uint32_t count = dmi_box_split_up(tree->sorted, 1, how, ranges, DMI_WIDE, NULL);
+    for (uint32_t i = 0; i < count; i++) {
+        if (ranges[i].count > 1)
+            stack[waiting++] = (pending){ranges[i], index, work->level + 1};
+        else
+            add_leaf(tree, index, ranges[i].first);
+    }
+    return waiting;
 }
 
 /* Makes the node of a range of several leaves, links it, and puts off its children of several. */
 static uint32_t make_node(dmi_top_tree* tree, const pending* work, pending* stack, uint32_t waiting) {
-    dmi_box_range ranges[DMI_WIDE];
-    dmi_box box;
-    const uint32_t index = take_node(tree), count = split_range(tree, work, &box, ranges);
+    const dmi_box_range* range = &work->range;
+    const uint32_t index = take_node(tree);
     if (work->parent == DMI_TOP_NONE) {
         set_root(tree, index);
     } else {
-        const entry self = {box, index};
+        const entry self = {range->box, index};
         add_child(tree, work->parent, &self);
     }
-    for (uint32_t i = 0; i < count; i++) {
-        if (ranges[i].count > 1) {
-            stack[waiting++] = (pending){ranges[i].first, ranges[i].count, index, work->level + 1};
-        } else {
-            const entry leaf = {ranges[i].box, DMI_LEAF | tree->items[ranges[i].first].id};
-            add_child(tree, index, &leaf);
-        }
-    }
     if (work->level + 1 > tree->levels) tree->levels = work->level + 1;
+    if (range->count > DMI_WIDE) return add_children(tree, index, work, stack, waiting);
+    for (uint32_t i = 0; i < range->count; i++) add_leaf(tree, index, range->first + i);
     return waiting;
 }
 
 static void make_nodes(dmi_top_tree* tree, uint32_t count) {
-    pending stack[MOST_PENDING], work = {.count = count, .parent = DMI_TOP_NONE};
+    pending stack[MOST_PENDING], work = {.range = {.first = 0, .count = count}, .parent = DMI_TOP_NONE};
+    dmi_box_range_measure(tree->sorted, &work.range);
     for (uint32_t waiting = 0;;) {
         waiting = make_node(tree, &work, stack, waiting);
         if (waiting == 0) return;
@@ -422,9 +450,75 @@ void dmi_top_tree_rebuild(dmi_top_tree* tree) {
     tree->placed_count = count;
     tree->levels = 0;
     tree->free_node = DMI_TOP_NONE;
-    for (uint32_t i = tree->capacity; i > 0; i--) give_node(tree, i - 1);
-    set_root(tree, count == 1 ? DMI_LEAF | tree->items[0].id : DMI_TOP_NONE);
+    tree->used_nodes = 0;
+    set_root(tree, count == 1 ? DMI_LEAF | tree->sorted[0].id : DMI_TOP_NONE);
     if (count > 1) make_nodes(tree, count);
+}
+
+/* ---- many new leaves ---- */
+
+void dmi_top_tree_wait(dmi_top_tree* tree, uint32_t leaf) {
+    set_item(tree, tree->waiting++, leaf);
+}
+
+/* Whether all children of a node that has only leaves or only nodes are leaves. */
+static bool is_bottom(const dmi_top_tree* tree, uint32_t reference) {
+    return reference & DMI_LEAF || tree->nodes[reference].wide.child[0] & DMI_LEAF;
+}
+
+/* Finds the node among whose children one of the lowest nodes, with this box, belongs; out_beside: which of them it
+ * comes next to. The tree has two leaves or more. */
+static uint32_t find_place(dmi_top_tree* tree, const dmi_box* box, entry* out_beside) {
+    uint32_t index = tree->root;
+    for (uint32_t level = 2;; level++) {
+        const uint32_t slot = choose_child(&tree->nodes[index], box);
+        *out_beside = get_child(tree, index, slot);
+        if (is_bottom(tree, out_beside->reference)) {
+            if (level > tree->levels) tree->levels = level;
+            return index;
+        }
+        index = out_beside->reference;
+    }
+}
+
+/* Places a group of up to DMI_WIDE waiting leaves that are close to each other: as one node where that is about as
+ * small as those beside it, else one by one. */
+static void place_group(dmi_top_tree* tree, const dmi_box_range* range) {
+    entry beside;
+    bool close = range->count > 1 && tree->root != DMI_TOP_NONE && !(tree->root & DMI_LEAF);
+    const uint32_t parent = close ? find_place(tree, &range->box, &beside) : 0;
+    close = close && dmi_box_area(&range->box) <= MOST_SPREAD * dmi_box_area(&beside.box);
+    if (!close) {
+        for (uint32_t i = 0; i < range->count; i++) insert(tree, tree->sorted[range->first + i].id);
+        return;
+    }
+    const entry group = {range->box, take_node(tree)};
+    for (uint32_t i = 0; i < range->count; i++) {
+        add_leaf(tree, group.reference, range->first + i);
+        tree->leaves[tree->sorted[range->first + i].id].placed = true;
+    }
+    tree->placed_count += range->count;
+    add_or_split(tree, parent, &group);
+}
+
+void dmi_top_tree_place_waiting(dmi_top_tree* tree) {
+    pending stack[MOST_PENDING];
+    uint32_t depth = 1;
+    stack[0] = (pending){.range = {.count = tree->waiting}};
+    dmi_box_range_measure(tree->sorted, &stack[0].range);
+    while (depth > 0 && tree->waiting > 0) {
+        const pending work = stack[--depth];
+        dmi_box_range ranges[DMI_WIDE] = {work.range};
+        const dmi_box_splits how = work.level < DMI_TOP_FREE_LEVELS ? DMI_SPLIT_FAST : DMI_SPLIT_IN_HALVES;
+        const uint32_t count = dmi_box_split_up(tree->sorted, DMI_WIDE, how, ranges, DMI_WIDE, NULL);
+        for (uint32_t i = 0; i < count; i++) {
+            if (ranges[i].count > DMI_WIDE)
+                stack[depth++] = (pending){.range = ranges[i], .level = work.level + 1};
+            else
+                place_group(tree, &ranges[i]);
+        }
+    }
+    tree->waiting = 0;
 }
 
 void dmi_top_tree_settle(dmi_top_tree* tree) {

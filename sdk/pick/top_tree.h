@@ -22,7 +22,6 @@ typedef struct dmi_top_node {
 
 typedef struct dmi_top_leaf {
     dmi_box box;
-    void* item; /* what the leaf stands for */
     uint32_t
         parent;  /* of a placed leaf: the node; DMI_TOP_NONE when it is the root. Of a free leaf: the next free one */
     bool placed; /* in the tree */
@@ -32,12 +31,15 @@ typedef struct dmi_top_tree {
     dmi_env* env;
     dmi_top_node* nodes;
     dmi_top_leaf* leaves;
-    dmi_box_item* items;   /* for rebuilding */
+    void** items;          /* what each leaf stands for: close together, since a ray reads nothing else of a leaf */
+    dmi_box_item* sorted;  /* for rebuilding */
     uint32_t root;         /* reference; DMI_TOP_NONE when empty */
     uint32_t levels;       /* of nodes, at most */
-    uint32_t capacity;     /* of nodes, leaves and items */
+    uint32_t capacity;     /* of the arrays */
     uint32_t placed_count; /* leaves in the tree */
     uint32_t free_leaf, free_node;
+    uint32_t waiting;                 /* leaves, in `sorted` */
+    uint32_t used_leaves, used_nodes; /* the others have never been used, nor their memory touched */
 } dmi_top_tree;
 
 void dmi_top_tree_init(dmi_top_tree* tree, dmi_env* env);
@@ -48,6 +50,10 @@ dm_result dmi_top_tree_add(dmi_top_tree* tree, void* item, uint32_t* out_leaf);
 void dmi_top_tree_remove(dmi_top_tree* tree, uint32_t leaf);
 /* Puts a leaf where its box belongs, which may have changed. */
 void dmi_top_tree_place(dmi_top_tree* tree, uint32_t leaf);
+/* Puts off the placing of a leaf that is not placed until dmi_top_tree_place_waiting, before which no leaf is
+ * added and the tree is not rebuilt. Leaves that lie together are placed together: near-linear in their number. */
+void dmi_top_tree_wait(dmi_top_tree* tree, uint32_t leaf);
+void dmi_top_tree_place_waiting(dmi_top_tree* tree);
 /* Builds the tree anew from the leaves whose `placed` is set: cheaper than placing many. */
 void dmi_top_tree_rebuild(dmi_top_tree* tree);
 /* Rebuilds a tree that has grown too high to be walked. Once after changes. */

@@ -183,7 +183,7 @@ TARGET static void trace_scene(const dmi_top_tree* tree, const dm_ray* host_ray,
     bool more = tree->root != DMI_TOP_NONE;
     while (more) {
         if (item.reference & DMI_LEAF) {
-            hit_part(tree->leaves[item.reference & ~DMI_LEAF].item, &world, item.near, &hit);
+            hit_part(tree->items[item.reference & ~DMI_LEAF], &world, item.near, &hit);
             ray.far = bound_of(&hit);
         } else if (enter_children(&tree->nodes[item.reference].wide, &ray, stack, &depth, &item)) {
             continue;

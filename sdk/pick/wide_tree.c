@@ -134,7 +134,8 @@ static bool make_node(builder* b, const pending* work) {
     const float done = (float)b->placed / (float)b->triangles->face_count;
     const dmi_progress progress = dmi_progress_piece(b->triangles->progress, done, done);
     const uint32_t count =
-        dmi_box_split_up(b->items, DMI_BLOCK, work->level >= DMI_FREE_LEVELS, ranges, DMI_WIDE, &progress);
+        dmi_box_split_up(b->items, DMI_BLOCK, work->level >= DMI_FREE_LEVELS ? DMI_SPLIT_IN_HALVES : DMI_SPLIT_BY_COST,
+                         ranges, DMI_WIDE, &progress);
     b->cancelled = count == 0;
     if (b->cancelled) return false;
     static const dmi_box inside_out = {{INFINITY, INFINITY, INFINITY, 0}, {-INFINITY, -INFINITY, -INFINITY, 0}};

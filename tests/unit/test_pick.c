@@ -449,6 +449,49 @@ static void scenes_grow_and_reuse_ids(void** state) {
     close_stage(&s);
 }
 
+/* Fills a scene with rows of instances that a commit follows each `batch` of. */
+static void fill_rows(dmi_scene* scene, const dmi_bvh* bvh, const dmi_frame* frame, uint32_t count, uint32_t batch) {
+    for (uint32_t i = 0; i < count; i++) {
+        const float x = 2 * (float)(i % 25), z = 2 * (float)(i / 25);
+        const dm_pose place = {{0, 0, 0, 1}, {0.5f * x, 0, 0.5f * z, 0}};
+        uint32_t instance;
+        assert_int_equal(dmi_scene_add(scene, bvh, frame, 1 + i, &place, &instance), DM_OK);
+        if (i % batch == batch - 1) dmi_scene_commit(scene);
+    }
+    dmi_scene_commit(scene);
+}
+
+/* At once, in batches or one by one: the tree differs, no hit does. */
+static void how_instances_come_changes_no_hit(void** state) {
+    (void)state;
+    enum { COUNT = 600, RAYS = 2000 };
+    static const uint32_t batches[] = {COUNT, 50, 7, 1};
+    static dm_hit first[RAYS];
+    stage s;
+    open_stage(&s);
+    for (int kind = 0; kind < 4; kind++) {
+        dmi_random random = dmi_random_make(4, 4);
+        dmi_scene* scene = create_scene(&s.f);
+        fill_rows(scene, s.bvh, &s.mesh->frame, COUNT, batches[kind]);
+        int hits = 0;
+        for (int r = 0; r < RAYS; r++) {
+            double direction[3];
+            random_direction(&random, direction);
+            const dm_ray ray = {
+                {50 * dmi_random_unit(&random), 3 * dmi_random_unit(&random) - 1, 50 * dmi_random_unit(&random)},
+                {(float)direction[0], 0.1f * (float)direction[1], (float)direction[2]}};
+            dm_hit hit = {.struct_size = sizeof hit};
+            dmi_scene_pick(scene, &ray, &hit);
+            hits += hit.object != 0;
+            if (kind == 0) first[r] = hit;
+            assert_memory_equal(&hit, &first[r], sizeof hit);
+        }
+        assert_true(hits > RAYS / 4);
+        dmi_scene_destroy(scene);
+    }
+    close_stage(&s);
+}
+
 static void wrong_ids_are_not_found(void** state) {
     (void)state;
     stage s;
@@ -744,6 +787,7 @@ int main(void) {
         cmocka_unit_test(changes_show_at_the_commit),
         cmocka_unit_test(removed_instances_are_gone_at_once),
         cmocka_unit_test(scenes_grow_and_reuse_ids),
+        cmocka_unit_test(how_instances_come_changes_no_hit),
         cmocka_unit_test(wrong_ids_are_not_found),
         cmocka_unit_test(unusable_rays_hit_nothing),
         cmocka_unit_test(places_out_of_reach_are_refused),

@@ -446,7 +446,8 @@ static void place_stage(stage* s, placed_stage* out) {
             part->first_hit = s->picker[1]->backend->first_hit;
             part->pose = s->part[i][p];
             assert_int_equal(dmi_top_tree_add(&out->tree, part, &part->leaf), DM_OK);
-            dmi_placed_part_update(part, placement, from_inner, &out->tree.leaves[part->leaf].box);
+            const dmi_placed_part* at_rest = NULL;
+            dmi_placed_part_update(part, placement, from_inner, &at_rest, &out->tree.leaves[part->leaf].box);
             dmi_top_tree_place(&out->tree, part->leaf);
         }
         out->objects[i] = object;

@@ -48,7 +48,7 @@ static uint32_t check_reference(bench* b, uint32_t reference, uint32_t parent, c
     if (reference & DMI_LEAF) {
         const dmi_top_leaf* leaf = &b->tree.leaves[reference & ~DMI_LEAF];
         assert_true(leaf->placed && leaf->parent == parent && inside(&leaf->box, low, high));
-        b->seen[(int*)leaf->item - b->there]++;
+        b->seen[(int*)b->tree.items[reference & ~DMI_LEAF] - b->there]++;
         return 0;
     }
     const dmi_top_node* node = &b->tree.nodes[reference];
@@ -166,11 +166,44 @@ static void a_rebuilt_tree_has_the_same_leaves(void** state) {
     }
 }
 
+/* Close together or all over the tree, into an empty tree or a full one: what waits is placed like anything else. */
+static void waiting_leaves_are_placed_together(void** state) {
+    (void)state;
+    for (int before = 0; before < 200; before = 3 * before + 1) {
+        for (int spread = 0; spread < 3; spread++) {
+            bench b;
+            open_bench(&b);
+            dmi_random random = dmi_random_make(9, (uint64_t)before);
+            for (int i = 0; i < before; i++) change(&b, i, &random);
+            for (int i = before; i < LEAVES;) {
+                const int first = i;
+                for (; i < first + 60 && i < LEAVES; i++) {
+                    dmi_box box = random_box(&random);
+                    for (int k = 0; k < 3 && spread < 2; k++) {
+                        const float low = spread == 0 ? 50 : (float)(i / 20);
+                        box.low[k] = low + 0.02f * box.low[k];
+                        box.high[k] = box.low[k] + 0.5f;
+                    }
+                    add_leaf(&b, i, &box);
+                }
+                for (int k = first; k < i; k++) dmi_top_tree_wait(&b.tree, b.leaf[k]);
+                dmi_top_tree_place_waiting(&b.tree);
+                dmi_top_tree_settle(&b.tree);
+                assert_in_range(check_tree(&b), 0, 16);
+            }
+            for (int i = 0; i < LEAVES; i++) change(&b, i, &random);
+            check_tree(&b);
+            close_bench(&b);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_changes_keep_the_tree_whole),
         cmocka_unit_test(sorted_insertions_keep_the_tree_low),
         cmocka_unit_test(a_rebuilt_tree_has_the_same_leaves),
+        cmocka_unit_test(waiting_leaves_are_placed_together),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
