@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: febaa697f8b945a6
+// Hash of the description: ce47d098d2b253ff
 
 export const VERSION = '0.3.0-dev';
 export const VERSION_NUMBER = 12287;

@@ -4,6 +4,20 @@
 #include "api_object.h"
 #include "base/fp_environment.h"
 #include "kinematics/object/dmo.h"
+#include "kinematics/object/object_mesh.h"
+
+static dm_result save(dmi_env* env, const dmi_object* object, const dmi_bvh* trees, void* buffer, size_t capacity,
+                      size_t* out_size) {
+    const size_t size = dmi_dmo_size(object, trees);
+    *out_size = size;
+    if (buffer == NULL) return DM_OK;
+    if (capacity < size) {
+        return dmi_fail(env, DM_ERROR_BUFFER_TOO_SMALL, "dm_object_save: capacity is %zu, the object takes %zu bytes",
+                        capacity, size);
+    }
+    dmi_dmo_write(object, trees, buffer);
+    return DM_OK;
+}
 
 dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* buffer, size_t capacity,
                                  size_t* out_size) {
@@ -13,15 +27,12 @@ dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* bu
     if (out_size == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_object_save: out_size is NULL");
     const dmi_object_slot* slot = dmi_find(context, context->objects, "dm_object_save", object);
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
-    size_t size = dmi_dmo_size(slot->object);
-    *out_size = size;
-    if (buffer == NULL) return DM_OK;
-    if (capacity < size) {
-        return dmi_fail(env, DM_ERROR_BUFFER_TOO_SMALL, "dm_object_save: capacity is %zu, the object takes %zu bytes",
-                        capacity, size);
-    }
-    dmi_dmo_write(slot->object, buffer);
-    return DM_OK;
+    const dmi_bvh* trees;
+    dmi_bvh* made;
+    dm_result result = dmi_object_stored_trees(env, slot->object, &trees, &made);
+    if (result == DM_OK) result = save(env, slot->object, trees, buffer, capacity, out_size);
+    dmi_bvh_destroy(made);
+    return result;
 }
 
 dm_result DM_CALL dm_object_load(dm_context* context, const void* data, size_t size, dm_model model,

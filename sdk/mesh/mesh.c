@@ -30,11 +30,11 @@ static dm_result allocate(dmi_env* env, uint32_t vertex_count, uint32_t face_cou
         size_t faces = face_count;
         mesh->vertex_count = vertex_count;
         mesh->face_count = face_count;
-        mesh->positions = dmi_alloc(env, positions_size(mesh), ALIGNMENT);
-        mesh->indices = dmi_alloc(env, faces * 3 * sizeof(uint32_t), ALIGNMENT);
-        mesh->face_part = dmi_alloc(env, faces * sizeof(uint32_t), ALIGNMENT);
-        mesh->face_area = dmi_alloc(env, faces * sizeof(float), ALIGNMENT);
-        mesh->face_normal = dmi_alloc(env, faces * 3 * sizeof(float), ALIGNMENT);
+        mesh->positions = dmi_scratch_alloc(env, positions_size(mesh));
+        mesh->indices = dmi_scratch_alloc(env, faces * 3 * sizeof(uint32_t));
+        mesh->face_part = dmi_scratch_alloc(env, faces * sizeof(uint32_t));
+        mesh->face_area = dmi_scratch_alloc(env, faces * sizeof(float));
+        mesh->face_normal = dmi_scratch_alloc(env, faces * 3 * sizeof(float));
         if (mesh->positions && mesh->indices && mesh->face_part && mesh->face_area && mesh->face_normal) return DM_OK;
     }
     return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for a mesh of %u vertices and %u triangles", vertex_count,
@@ -43,12 +43,11 @@ static dm_result allocate(dmi_env* env, uint32_t vertex_count, uint32_t face_cou
 
 void dmi_mesh_destroy(dmi_env* env, dmi_mesh* mesh) {
     if (mesh == NULL) return;
-    size_t faces = mesh->face_count;
-    dmi_free(env, mesh->positions, positions_size(mesh));
-    dmi_free(env, mesh->indices, faces * 3 * sizeof(uint32_t));
-    dmi_free(env, mesh->face_part, faces * sizeof(uint32_t));
-    dmi_free(env, mesh->face_area, faces * sizeof(float));
-    dmi_free(env, mesh->face_normal, faces * 3 * sizeof(float));
+    dmi_scratch_free(env, mesh->positions);
+    dmi_scratch_free(env, mesh->indices);
+    dmi_scratch_free(env, mesh->face_part);
+    dmi_scratch_free(env, mesh->face_area);
+    dmi_scratch_free(env, mesh->face_normal);
     dmi_free(env, mesh->parts, mesh->part_count * sizeof(dmi_part));
     dmi_free(env, mesh, sizeof *mesh);
 }

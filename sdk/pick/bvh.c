@@ -1,119 +1,90 @@
-/* Builds one tree for each part, over vertices that all parts share. */
+/* Builds or restores one tree for each part, over vertices that all parts share. */
 #include "pick/bvh.h"
 
 #include <math.h>
-#include <stdbool.h>
 #include <string.h>
 
 #include "base/ids.h"
-
-#define COPIED 0.1f /* share of the work, when the mesh is copied; measured */
-
-static size_t positions_size(const dmi_bvh* bvh) {
-    return (size_t)bvh->vertex_count * 3 * sizeof(float) + DMI_POSITION_PADDING;
-}
 
 int32_t dmi_bvh_find_part(const dmi_bvh* bvh, uint32_t id) {
     return dmi_find_id(&bvh->parts->id, sizeof *bvh->parts, bvh->part_count, id);
 }
 
 int32_t dmi_bvh_picking(const dmi_bvh* bvh) {
-    return bvh != NULL ? bvh->picker->backend->choice : DM_PICK_NONE;
+    return bvh != NULL ? bvh->backend->choice : DM_PICK_NONE;
 }
 
-/* ---- building ---- */
+/* ---- parts ---- */
 
-static dm_result allocate(dmi_picker* picker, const dmi_mesh* mesh, dmi_bvh** out_bvh) {
-    dmi_env* env = picker->env;
-    dmi_bvh* bvh = dmi_alloc_zeroed(env, sizeof *bvh, DMI_ALIGNMENT);
+static size_t bvh_size(uint32_t part_count) {
+    return sizeof(dmi_bvh) + part_count * sizeof(dmi_bvh_part);
+}
+
+static dm_result allocate(dmi_env* env, const dmi_packed_mesh* mesh, const dmi_part_ids* ids, dmi_bvh** out_bvh) {
+    dmi_bvh* bvh = dmi_alloc_zeroed(env, bvh_size(mesh->part_count), DMI_ALIGNMENT);
     *out_bvh = bvh;
-    if (bvh != NULL) {
-        bvh->picker = picker;
-        bvh->vertex_count = mesh->vertex_count;
-        bvh->face_count = mesh->face_count;
-        bvh->part_count = mesh->part_count;
-        bvh->positions = dmi_alloc(env, positions_size(bvh), DMI_ALIGNMENT);
-        bvh->faces = dmi_alloc(env, mesh->face_count * sizeof *bvh->faces, DMI_ALIGNMENT);
-        bvh->parts = dmi_alloc_zeroed(env, mesh->part_count * sizeof(dmi_bvh_part), DMI_ALIGNMENT);
-        if (bvh->positions != NULL && bvh->faces != NULL && bvh->parts != NULL) return DM_OK;
-    }
-    return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory to pick among %u triangles", mesh->face_count);
-}
-
-/* Whether a triangle has an area, in the numbers that the trees see. One without is never hit: where it lies in front
- * of another, rounding would decide. */
-static bool has_area(const dmi_mesh* mesh, uint32_t face) {
-    const uint32_t* corner = mesh->indices + (size_t)face * 3;
-    double edge[2][3];
-    for (int i = 0; i < 2; i++)
-        for (int k = 0; k < 3; k++)
-            edge[i][k] = (double)mesh->positions[(size_t)corner[i + 1] * 3 + (size_t)k] -
-                         (double)mesh->positions[(size_t)corner[0] * 3 + (size_t)k];
-    for (int k = 0; k < 3; k++) {
-        if (edge[0][k] * edge[1][(k + 1) % 3] != edge[0][(k + 1) % 3] * edge[1][k]) return true;
-    }
-    return false;
-}
-
-static void include(dmi_bvh_part* part, const float* position) {
-    for (int k = 0; k < 3; k++) {
-        part->low[k] = position[k] < part->low[k] ? position[k] : part->low[k];
-        part->high[k] = position[k] > part->high[k] ? position[k] : part->high[k];
-    }
-}
-
-static void add_face(dmi_bvh* bvh, const dmi_mesh* mesh, uint32_t face) {
-    dmi_bvh_part* part = &bvh->parts[mesh->face_part[face]];
-    const uint32_t place = part->first_face + part->face_count++;
-    const uint32_t* corner = mesh->indices + (size_t)face * 3;
-    bvh->faces[place] = (dmi_pick_face){{corner[0], corner[1], corner[2]}, face};
-    for (int i = 0; i < 3; i++) include(part, bvh->positions + (size_t)corner[i] * 3);
-}
-
-/* Copies the mesh with its faces in order of their parts. */
-static dm_result copy_mesh(dmi_bvh* bvh, const dmi_mesh* mesh, const dmi_progress* progress) {
-    memcpy(bvh->positions, mesh->positions, (size_t)mesh->vertex_count * 3 * sizeof(float));
-    memset(bvh->positions + (size_t)mesh->vertex_count * 3, 0, DMI_POSITION_PADDING);
-    uint32_t first = 0;
+    if (bvh == NULL)
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory to pick among %u triangles", mesh->face_count);
+    bvh->env = env;
+    bvh->mesh = mesh;
+    bvh->part_count = mesh->part_count;
     for (uint32_t p = 0; p < mesh->part_count; p++) {
-        bvh->parts[p] = (dmi_bvh_part){.id = mesh->parts[p].id,
-                                       .first_face = first,
-                                       .low = {INFINITY, INFINITY, INFINITY},
-                                       .high = {-INFINITY, -INFINITY, -INFINITY}};
-        first += mesh->parts[p].face_count;
+        bvh->parts[p].id = *(const uint32_t*)(const void*)((const char*)ids->first + p * ids->step);
+        bvh->parts[p].first_face = mesh->parts[p].first_face;
     }
-    dm_result result = DM_OK;
-    for (uint32_t f = 0; f < mesh->face_count && result == DM_OK; f++) {
-        if (has_area(mesh, f)) add_face(bvh, mesh, f);
-        if (f % DMI_PROGRESS_STEP == DMI_PROGRESS_STEP - 1)
-            result = dmi_progress_tell(progress, (float)f / (float)mesh->face_count);
-    }
-    return result;
+    return DM_OK;
 }
 
-static dm_result build_part(dmi_bvh* bvh, dmi_bvh_part* part, const dmi_progress* progress) {
-    if (part->face_count == 0) return DM_OK;
-    const float first = (float)part->first_face / (float)bvh->face_count;
+/* Measures the box of a part's triangles with an area. */
+static void measure(const dmi_packed_mesh* mesh, const dmi_packed_part* from, dmi_bvh_part* part) {
+    for (int k = 0; k < 3; k++) part->low[k] = INFINITY, part->high[k] = -INFINITY;
+    for (uint32_t f = 0; f < from->solid_count; f++)
+        for (int i = 0; i < 3; i++) {
+            const float* p = mesh->positions + (size_t)dmi_packed_corner(mesh, from->first_face + f, i) * 3;
+            for (int k = 0; k < 3; k++) {
+                part->low[k] = p[k] < part->low[k] ? p[k] : part->low[k];
+                part->high[k] = p[k] > part->high[k] ? p[k] : part->high[k];
+            }
+        }
+}
+
+static dmi_triangles triangles_of(const dmi_packed_mesh* mesh, const dmi_packed_part* part,
+                                  const dmi_progress* progress) {
+    const size_t first = (size_t)part->first_face * 3;
+    return (dmi_triangles){.positions = mesh->positions,
+                           .narrow = mesh->narrow != NULL ? mesh->narrow + first : NULL,
+                           .wide = mesh->narrow != NULL ? NULL : mesh->wide + first,
+                           .vertex_count = mesh->vertex_count,
+                           .face_count = part->solid_count,
+                           .progress = progress};
+}
+
+/* Builds the tree of a part, or restores it where there is a shape. */
+static dm_result make_part(dmi_bvh* bvh, uint32_t index, const dmi_tree_shape* shapes, const dmi_progress* progress) {
+    const dmi_packed_part* from = &bvh->mesh->parts[index];
+    dmi_bvh_part* part = &bvh->parts[index];
+    measure(bvh->mesh, from, part);
+    if (from->solid_count == 0) return DM_OK;
+    const float all = (float)bvh->mesh->face_count;
     const dmi_progress own =
-        dmi_progress_piece(progress, first, first + (float)part->face_count / (float)bvh->face_count);
-    const dmi_triangles triangles = {.positions = bvh->positions,
-                                     .faces = bvh->faces + part->first_face,
-                                     .vertex_count = bvh->vertex_count,
-                                     .face_count = part->face_count,
-                                     .progress = &own};
-    return bvh->picker->backend->build(bvh->picker->device, &triangles, &part->tree);
+        dmi_progress_piece(progress, (float)from->first_face / all, (float)(from->first_face + from->face_count) / all);
+    const dmi_triangles triangles = triangles_of(bvh->mesh, from, &own);
+    if (shapes == NULL) return bvh->backend->build(bvh->device, &triangles, &part->tree);
+    return bvh->backend->restore(bvh->device, &triangles, &shapes[index], &part->tree);
 }
 
-dm_result dmi_bvh_create(dmi_picker* picker, const dmi_mesh* mesh, const dmi_progress* progress, dmi_bvh** out_bvh) {
+/* ---- the whole ---- */
+
+static dm_result create(dmi_env* env, const dmi_pick_backend* backend, void* device, const dmi_bvh_source* from,
+                        const dmi_progress* progress, dmi_bvh** out_bvh) {
     dmi_bvh* bvh;
-    *out_bvh = NULL;
-    if (picker->backend == NULL) return DM_OK;
-    dm_result result = allocate(picker, mesh, &bvh);
-    const dmi_progress copying = dmi_progress_piece(progress, 0, COPIED),
-                       building = dmi_progress_piece(progress, COPIED, 1);
-    if (result == DM_OK) result = copy_mesh(bvh, mesh, &copying);
-    for (uint32_t p = 0; result == DM_OK && p < mesh->part_count; p++)
-        result = build_part(bvh, &bvh->parts[p], &building);
+    dm_result result = allocate(env, from->mesh, &from->ids, &bvh);
+    if (result == DM_OK) {
+        bvh->backend = backend;
+        bvh->device = device;
+    }
+    for (uint32_t p = 0; result == DM_OK && p < from->mesh->part_count; p++)
+        result = make_part(bvh, p, from->shapes, progress);
     if (result != DM_OK) {
         dmi_bvh_destroy(bvh);
         return result;
@@ -122,14 +93,43 @@ dm_result dmi_bvh_create(dmi_picker* picker, const dmi_mesh* mesh, const dmi_pro
     return DM_OK;
 }
 
+#if defined(DMI_NO_PORTABLE)
+static const dmi_pick_backend* const storing = NULL;
+#else
+static const dmi_pick_backend* const storing = &dmi_pick_portable;
+#endif
+
+bool dmi_picker_restores(const dmi_picker* picker) {
+    return storing != NULL && picker->backend != NULL && (picker->backend == storing || picker->choice == DM_PICK_AUTO);
+}
+
+bool dmi_picker_is_wide(const dmi_picker* picker) {
+    return picker->backend != NULL && picker->backend->wide;
+}
+
+dm_result dmi_bvh_create(dmi_picker* picker, const dmi_bvh_source* from, const dmi_progress* progress,
+                         dmi_bvh** out_bvh) {
+    *out_bvh = NULL;
+    if (picker->backend == NULL) return DM_OK;
+    if (from->shapes != NULL) return create(picker->env, storing, picker->env, from, progress, out_bvh);
+    return create(picker->env, picker->backend, picker->device, from, progress, out_bvh);
+}
+
+dm_result dmi_bvh_create_to_store(dmi_env* env, const dmi_bvh_source* from, dmi_bvh** out_bvh) {
+    *out_bvh = NULL;
+    return storing != NULL ? create(env, storing, env, from, NULL, out_bvh) : DM_OK;
+}
+
+bool dmi_bvh_shapes(const dmi_bvh* bvh, uint32_t part, dmi_tree_shape* out_shape) {
+    *out_shape = (dmi_tree_shape){0};
+    if (bvh == NULL || bvh->backend->shape == NULL) return false;
+    if (bvh->parts[part].tree != NULL) *out_shape = bvh->backend->shape(bvh->parts[part].tree);
+    return true;
+}
+
 void dmi_bvh_destroy(dmi_bvh* bvh) {
     if (bvh == NULL) return;
-    dmi_env* env = bvh->picker->env;
-    for (uint32_t p = 0; bvh->parts != NULL && p < bvh->part_count; p++) {
-        if (bvh->parts[p].tree != NULL) bvh->picker->backend->destroy(bvh->picker->device, bvh->parts[p].tree);
-    }
-    dmi_free(env, bvh->positions, positions_size(bvh));
-    dmi_free(env, bvh->faces, bvh->face_count * sizeof *bvh->faces);
-    dmi_free(env, bvh->parts, bvh->part_count * sizeof(dmi_bvh_part));
-    dmi_free(env, bvh, sizeof *bvh);
+    for (uint32_t p = 0; p < bvh->part_count; p++)
+        if (bvh->parts[p].tree != NULL) bvh->backend->destroy(bvh->device, bvh->parts[p].tree);
+    dmi_free(bvh->env, bvh, bvh_size(bvh->part_count));
 }

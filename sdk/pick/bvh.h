@@ -6,25 +6,31 @@
 
 typedef struct dmi_bvh_part {
     uint32_t id; /* the host's */
-    uint32_t first_face, face_count;
+    uint32_t first_face;
     float low[3], high[3]; /* box of its triangles at rest */
     void* tree;            /* the backend's; NULL: no triangle of the part has an area */
 } dmi_bvh_part;
 
 struct dmi_bvh {
-    dmi_picker* picker;
-    float* positions;     /* the backend may read DMI_POSITION_PADDING bytes at each vertex */
-    dmi_pick_face* faces; /* those with an area, part after part */
-    uint32_t vertex_count, face_count, part_count;
-    dmi_bvh_part* parts;
+    dmi_env* env;
+    const dmi_pick_backend* backend;
+    void* device;
+    const dmi_packed_mesh* mesh; /* the object's; outlives this */
+    uint32_t part_count;
+    dmi_bvh_part parts[];
 };
 
 /* Index of the part with the host's id; -1 when there is none. */
 int32_t dmi_bvh_find_part(const dmi_bvh* bvh, uint32_t id);
 /* Corners a, b, c of the face that the backend calls `face` of a part. */
 static inline void dmi_bvh_corners(const dmi_bvh* bvh, const dmi_bvh_part* part, uint32_t face, const float* out[3]) {
-    const dmi_pick_face* found = &bvh->faces[part->first_face + face];
-    for (int i = 0; i < 3; i++) out[i] = bvh->positions + (size_t)found->corner[i] * 3;
+    const dmi_packed_mesh* mesh = bvh->mesh;
+    const size_t at = ((size_t)part->first_face + face) * 3;
+    if (mesh->narrow != NULL) {
+        for (size_t i = 0; i < 3; i++) out[i] = mesh->positions + (size_t)mesh->narrow[at + i] * 3;
+    } else {
+        for (size_t i = 0; i < 3; i++) out[i] = mesh->positions + (size_t)mesh->wide[at + i] * 3;
+    }
 }
 
 #endif

@@ -177,8 +177,8 @@ static dm_result build_scene(device* d, const dmi_triangles* triangles, embree_s
     if (geometry != NULL && scene != NULL) {
         rtc->SetSharedGeometryBuffer(geometry, EMBREE_VERTICES, 0, EMBREE_FLOAT3, triangles->positions, 0,
                                      3 * sizeof(float), triangles->vertex_count);
-        rtc->SetSharedGeometryBuffer(geometry, EMBREE_INDICES, 0, EMBREE_UINT3, triangles->faces, 0,
-                                     sizeof *triangles->faces, triangles->face_count);
+        rtc->SetSharedGeometryBuffer(geometry, EMBREE_INDICES, 0, EMBREE_UINT3, triangles->wide, 0,
+                                     3 * sizeof(uint32_t), triangles->face_count);
         rtc->CommitGeometry(geometry);
         rtc->SetSceneFlags(scene, EMBREE_ROBUST);
         rtc->AttachGeometry(scene, geometry);
@@ -233,4 +233,5 @@ static bool first_hit(const void* built, const dmi_part_ray* ray, dmi_part_hit* 
     return true;
 }
 
-const dmi_pick_backend dmi_pick_embree = {"embree", DM_PICK_EMBREE, open, close, build, destroy, first_hit};
+const dmi_pick_backend dmi_pick_embree = {"embree", DM_PICK_EMBREE, true, open, close,
+                                          build,    destroy,        NULL, NULL, first_hit};

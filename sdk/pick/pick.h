@@ -3,9 +3,11 @@
 #ifndef DMI_PICK_PICK_H
 #define DMI_PICK_PICK_H
 
+#include <stdbool.h>
+
 #include "base/env.h"
 #include "base/progress.h"
-#include "mesh/mesh.h"
+#include "mesh/packed_mesh.h"
 
 typedef struct dmi_picker dmi_picker; /* the backend of a context, without threads of its own */
 typedef struct dmi_bvh dmi_bvh;       /* the parts of one object, object-normalised, at rest */
@@ -18,8 +20,35 @@ void dmi_picker_destroy(dmi_picker* picker);
 /* Returns "embree", "portable" or "none". */
 const char* dmi_picker_backend(const dmi_picker* picker);
 
-/* Builds the trees; keeps its own padded copy of the mesh. NULL, and DM_OK, where the context picks nothing. */
-dm_result dmi_bvh_create(dmi_picker* picker, const dmi_mesh* mesh, const dmi_progress* progress, dmi_bvh** out_bvh);
+/* The parts' ids, `step` bytes from each other. */
+typedef struct dmi_part_ids {
+    const uint32_t* first;
+    size_t step;
+} dmi_part_ids;
+
+typedef struct dmi_tree_shape dmi_tree_shape;
+
+/* What trees are made from. */
+typedef struct dmi_bvh_source {
+    const dmi_packed_mesh* mesh; /* outlives the trees */
+    dmi_part_ids ids;
+    const dmi_tree_shape* shapes; /* a part, stored before; NULL: they are built */
+} dmi_bvh_source;
+
+/* Whether trees of this context may be restored from shapes; and whether it reads corners of 32 bits alone where they
+ * are not. */
+bool dmi_picker_restores(const dmi_picker* picker);
+bool dmi_picker_is_wide(const dmi_picker* picker);
+
+/* Builds the trees, or restores them: BAD_DATA, without a message, where a shape is none of its triangles. NULL, and
+ * DM_OK, where the context picks nothing. */
+dm_result dmi_bvh_create(dmi_picker* picker, const dmi_bvh_source* from, const dmi_progress* progress,
+                         dmi_bvh** out_bvh);
+/* Builds trees whose shapes can be stored; NULL, and DM_OK, in a library that has none. */
+dm_result dmi_bvh_create_to_store(dmi_env* env, const dmi_bvh_source* from, dmi_bvh** out_bvh);
+/* The shape of a part's tree, zeros where it has none; false where such trees are not stored. */
+bool dmi_bvh_shapes(const dmi_bvh* bvh, uint32_t part, dmi_tree_shape* out_shape);
+/* NULL does nothing. */
 void dmi_bvh_destroy(dmi_bvh* bvh);
 /* DM_PICK_*: whose trees they are; NULL: DM_PICK_NONE. */
 int32_t dmi_bvh_picking(const dmi_bvh* bvh);

@@ -30,6 +30,7 @@ dm_result dmi_picker_create(dmi_env* env, int32_t choice, dmi_picker** out_picke
     dmi_picker* picker = dmi_alloc_zeroed(env, sizeof *picker, _Alignof(dmi_picker));
     if (picker == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for the ray picker");
     picker->env = env;
+    picker->choice = choice;
     dm_result result = open_backend(picker, choice);
     if (result != DM_OK) {
         result = dmi_fail(env, result, "picking: %s", picker->why);

@@ -177,7 +177,7 @@ TARGET DMI_NO_INLINE static void describe_hit(const dmi_world_ray* ray, const dm
     *out_hit = (dm_hit){.object = part->owner->object,
                         .instance = part->owner->id,
                         .part_id = shape->id,
-                        .triangle = part->owner->bvh->faces[shape->first_face + hit->face].of_mesh,
+                        .triangle = dmi_packed_of_mesh(part->owner->bvh->mesh, shape->first_face + hit->face),
                         .distance = (float)(hit->distance * sqrt(dot(&direction, &direction))),
                         .u = (float)hit->weight[0],
                         .v = (float)hit->weight[1],

@@ -21,11 +21,12 @@ static dmi_wide_trace* best_trace(void) {
     return dmi_wide_trace_plain;
 }
 
-static dm_result build(void* device, const dmi_triangles* triangles, void** out_tree) {
-    dmi_env* env = device;
+/* shape: NULL where the tree is to be built. */
+static dm_result make(dmi_env* env, const dmi_triangles* triangles, const dmi_tree_shape* shape, void** out_tree) {
     dmi_wide_tree* tree = dmi_alloc(env, sizeof *tree, _Alignof(dmi_wide_tree));
     if (tree == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory to pick a part");
-    const dm_result result = dmi_wide_tree_build(env, triangles, tree);
+    const dm_result result =
+        shape != NULL ? dmi_wide_tree_restore(env, triangles, shape, tree) : dmi_wide_tree_build(env, triangles, tree);
     if (result != DM_OK) {
         dmi_free(env, tree, sizeof *tree);
         return result;
@@ -33,6 +34,18 @@ static dm_result build(void* device, const dmi_triangles* triangles, void** out_
     tree->trace = best_trace();
     *out_tree = tree;
     return DM_OK;
+}
+
+static dm_result build(void* device, const dmi_triangles* triangles, void** out_tree) {
+    return make(device, triangles, NULL, out_tree);
+}
+
+static dm_result restore(void* device, const dmi_triangles* triangles, const dmi_tree_shape* shape, void** out_tree) {
+    return make(device, triangles, shape, out_tree);
+}
+
+static dmi_tree_shape shape_of(const void* tree) {
+    return dmi_wide_tree_shape(tree);
 }
 
 static void destroy(void* device, void* built) {
@@ -46,4 +59,5 @@ static bool first_hit(const void* built, const dmi_part_ray* ray, dmi_part_hit* 
     return tree->trace(tree, ray, out_hit);
 }
 
-const dmi_pick_backend dmi_pick_portable = {"portable", DM_PICK_PORTABLE, open, close, build, destroy, first_hit};
+const dmi_pick_backend dmi_pick_portable = {"portable", DM_PICK_PORTABLE, false,   open,     close,
+                                            build,      destroy,          restore, shape_of, first_hit};

@@ -87,7 +87,7 @@ static dm_result make_parts(dmi_scene* scene, dmi_placed_object* placed) {
         dmi_placed_part* part = &placed->parts[p];
         part->owner = placed;
         part->shape = &placed->bvh->parts[p];
-        part->first_hit = scene->picker->backend->first_hit;
+        part->first_hit = placed->bvh->backend->first_hit;
         part->leaf = DMI_TOP_NONE;
         part->moved = false;
         part->pose = dmi_pose_identity();

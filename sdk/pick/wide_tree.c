@@ -25,15 +25,12 @@ typedef struct builder {
     dmi_box_item* items;
     pending* stack;
     uint32_t waiting;
-    dmi_wide_tree* tree;
+    dmi_wide_tree* tree; /* its arrays are scratch memory */
+    uint32_t node_capacity, block_capacity;
     uint32_t placed; /* triangles in blocks */
     uint32_t told;   /* of them, at the last report */
     bool cancelled;
 } builder;
-
-static const float* corner(const dmi_triangles* t, uint32_t face, int i) {
-    return t->positions + (size_t)t->faces[face].corner[i] * 3;
-}
 
 /* fminf and fmaxf are calls. */
 static float least(float a, float b) {
@@ -57,7 +54,8 @@ static bool make_items(builder* b) {
     dmi_box_item* items = b->items;
     for (uint32_t f = 0; f < t->face_count; f++) {
         if (f % DMI_PROGRESS_STEP == DMI_PROGRESS_STEP - 1 && !tell(b)) return false;
-        const float *a = corner(t, f, 0), *b = corner(t, f, 1), *c = corner(t, f, 2);
+        const float *a = dmi_triangle_corner(t, f, 0), *b = dmi_triangle_corner(t, f, 1),
+                    *c = dmi_triangle_corner(t, f, 2);
         items[f].id = f;
         items[f].unused = 0;
         for (int k = 0; k < 3; k++) {
@@ -68,43 +66,35 @@ static bool make_items(builder* b) {
     return true;
 }
 
-/* Moves `used` elements to an array of another capacity. False without memory, and when it is cancelled. */
-static bool move_array(builder* b, void** array, uint32_t used, uint32_t* capacity, uint32_t wanted, size_t size) {
-    uint8_t* moved = dmi_alloc(b->env, wanted * size, DMI_ALIGNMENT);
-    if (moved == NULL) return false;
-    for (uint32_t first = 0; first < used && !b->cancelled; first += DMI_PROGRESS_STEP) {
-        const uint32_t count = used - first < DMI_PROGRESS_STEP ? used - first : DMI_PROGRESS_STEP;
-        memcpy(moved + first * size, (uint8_t*)*array + first * size, count * size);
-        if (count == DMI_PROGRESS_STEP) tell(b);
+/* Copies elements, and reports. False when it is cancelled. */
+static bool copy_array(builder* b, const void* from, uint32_t count, size_t size, void* to) {
+    for (uint32_t first = 0; first < count && !b->cancelled; first += DMI_PROGRESS_STEP) {
+        const uint32_t step = count - first < DMI_PROGRESS_STEP ? count - first : DMI_PROGRESS_STEP;
+        memcpy((uint8_t*)to + first * size, (const uint8_t*)from + first * size, step * size);
+        if (step == DMI_PROGRESS_STEP) tell(b);
     }
-    if (b->cancelled) {
-        dmi_free(b->env, moved, wanted * size);
+    return !b->cancelled;
+}
+
+/* Makes room for one more element; false without memory, and when it is cancelled. */
+static bool reserve(builder* b, void** array, uint32_t used, uint32_t* capacity, size_t size) {
+    if (used < *capacity) return true;
+    const uint32_t wanted = *capacity + *capacity / 2 + 1;
+    void* moved = dmi_scratch_alloc(b->env, wanted * size);
+    if (moved == NULL || !copy_array(b, *array, used, size, moved)) {
+        dmi_scratch_free(b->env, moved);
         return false;
     }
-    dmi_free(b->env, *array, *capacity * size);
+    dmi_scratch_free(b->env, *array);
     *array = moved;
     *capacity = wanted;
     return true;
 }
 
-/* Makes room for one more element; false without memory. */
-static bool reserve(builder* b, void** array, uint32_t used, uint32_t* capacity, size_t size) {
-    return used < *capacity || move_array(b, array, used, capacity, *capacity + *capacity / 2 + 1, size);
-}
-
-/* Gives back what was reserved beyond `used`; without memory for the copy it stays. False when it is cancelled. */
-static bool trim(builder* b, void** array, uint32_t used, uint32_t* capacity, size_t size) {
-    return used == *capacity || move_array(b, array, used, capacity, used, size) || !b->cancelled;
-}
-
 static void fill_block(const builder* b, const dmi_box_range* range, dmi_triangle_block* block) {
-    const dmi_triangles* t = b->triangles;
     for (uint32_t i = 0; i < DMI_BLOCK; i++) {
         const bool used = i < range->count;
-        const uint32_t face = b->items[range->first + (used ? i : 0)].id;
-        block->face[i] = face;
-        for (int c = 0; c < 3; c++)
-            for (int k = 0; k < 3; k++) block->corner[c][k][i] = corner(t, face, used ? c : 0)[k];
+        dmi_block_set(b->triangles, block, i, b->items[range->first + (used ? i : 0)].id, used);
     }
 }
 
@@ -115,8 +105,7 @@ static void set_child(dmi_wide_node* node, uint32_t slot, const dmi_box* box, ui
 
 static bool make_leaf(builder* b, uint32_t node, uint32_t slot, const dmi_box_range* range) {
     dmi_wide_tree* tree = b->tree;
-    if (!reserve(b, (void**)&tree->blocks, tree->block_count, &tree->block_capacity, sizeof *tree->blocks))
-        return false;
+    if (!reserve(b, (void**)&tree->blocks, tree->block_count, &b->block_capacity, sizeof *tree->blocks)) return false;
     fill_block(b, range, &tree->blocks[tree->block_count]);
     set_child(&tree->nodes[node], slot, &range->box, DMI_LEAF | tree->block_count++);
     b->placed += range->count;
@@ -126,7 +115,7 @@ static bool make_leaf(builder* b, uint32_t node, uint32_t slot, const dmi_box_ra
 /* Makes the node of a range, its leaves, and work of its larger children. */
 static bool make_node(builder* b, const pending* work) {
     dmi_wide_tree* tree = b->tree;
-    if (!reserve(b, (void**)&tree->nodes, tree->node_count, &tree->node_capacity, sizeof *tree->nodes)) return false;
+    if (!reserve(b, (void**)&tree->nodes, tree->node_count, &b->node_capacity, sizeof *tree->nodes)) return false;
     const uint32_t index = tree->node_count++;
     if (index > 0) tree->nodes[work->parent].child[work->slot] = index;
     dmi_box_range ranges[DMI_WIDE];
@@ -163,33 +152,49 @@ static bool make_nodes(builder* b) {
     }
 }
 
+bool dmi_wide_tree_allocate(dmi_env* env, uint32_t nodes, uint32_t blocks, dmi_wide_tree* out_tree) {
+    *out_tree = (dmi_wide_tree){.node_count = nodes, .block_count = blocks};
+    out_tree->nodes = dmi_alloc(env, nodes * sizeof *out_tree->nodes, DMI_ALIGNMENT);
+    out_tree->blocks = dmi_alloc(env, blocks * sizeof *out_tree->blocks, DMI_ALIGNMENT);
+    if (out_tree->nodes != NULL && out_tree->blocks != NULL) return true;
+    dmi_wide_tree_release(env, out_tree);
+    return false;
+}
+
+/* Moves the tree from scratch memory into as much as it needs. */
+static bool settle(builder* b, dmi_wide_tree* out_tree) {
+    const dmi_wide_tree* built = b->tree;
+    if (!dmi_wide_tree_allocate(b->env, built->node_count, built->block_count, out_tree)) return false;
+    if (copy_array(b, built->nodes, built->node_count, sizeof *built->nodes, out_tree->nodes) &&
+        copy_array(b, built->blocks, built->block_count, sizeof *built->blocks, out_tree->blocks))
+        return true;
+    dmi_wide_tree_release(b->env, out_tree);
+    return false;
+}
+
 dm_result dmi_wide_tree_build(dmi_env* env, const dmi_triangles* triangles, dmi_wide_tree* out_tree) {
     const uint32_t faces = triangles->face_count;
     dmi_wide_tree tree = {0};
     builder b = {.env = env, .triangles = triangles, .tree = &tree};
-    tree.block_capacity = faces / FACES_PER_BLOCK + 1;
-    tree.node_capacity = tree.block_capacity / BLOCKS_PER_NODE + 1;
+    b.block_capacity = faces / FACES_PER_BLOCK + 1;
+    b.node_capacity = b.block_capacity / BLOCKS_PER_NODE + 1;
     b.items = dmi_scratch_alloc(env, faces * sizeof *b.items);
     b.stack = dmi_scratch_alloc(env, (size_t)MOST_PENDING * sizeof *b.stack);
-    tree.nodes = dmi_alloc(env, tree.node_capacity * sizeof *tree.nodes, DMI_ALIGNMENT);
-    tree.blocks = dmi_alloc(env, tree.block_capacity * sizeof *tree.blocks, DMI_ALIGNMENT);
-    bool made = b.items != NULL && b.stack != NULL && tree.nodes != NULL && tree.blocks != NULL;
-    if (made) made = make_items(&b) && make_nodes(&b);
+    tree.nodes = dmi_scratch_alloc(env, b.node_capacity * sizeof *tree.nodes);
+    tree.blocks = dmi_scratch_alloc(env, b.block_capacity * sizeof *tree.blocks);
+    const bool room = b.items != NULL && b.stack != NULL && tree.nodes != NULL && tree.blocks != NULL;
+    const bool made = room && make_items(&b) && make_nodes(&b) && settle(&b, out_tree);
     dmi_scratch_free(env, b.items);
     dmi_scratch_free(env, b.stack);
-    if (made) {
-        made = trim(&b, (void**)&tree.nodes, tree.node_count, &tree.node_capacity, sizeof *tree.nodes) &&
-               trim(&b, (void**)&tree.blocks, tree.block_count, &tree.block_capacity, sizeof *tree.blocks);
-    }
-    *out_tree = tree;
+    dmi_scratch_free(env, tree.nodes);
+    dmi_scratch_free(env, tree.blocks);
     if (made) return DM_OK;
-    dmi_wide_tree_release(env, out_tree);
     if (b.cancelled) return DM_ERROR_CANCELLED;
     return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory to pick among %u triangles", faces);
 }
 
 void dmi_wide_tree_release(dmi_env* env, dmi_wide_tree* tree) {
-    dmi_free(env, tree->nodes, tree->node_capacity * sizeof *tree->nodes);
-    dmi_free(env, tree->blocks, tree->block_capacity * sizeof *tree->blocks);
+    dmi_free(env, tree->nodes, tree->node_count * sizeof *tree->nodes);
+    dmi_free(env, tree->blocks, tree->block_count * sizeof *tree->blocks);
     *tree = (dmi_wide_tree){0};
 }

@@ -13,6 +13,7 @@
 #include "mesh/connectivity.h"
 #include "pick/picker.h"
 #include "support.h"
+#include "test_bvh.h"
 
 #define ROUND_MS 600
 #define ARENA_BLOCK ((size_t)1 << 20)
@@ -54,8 +55,8 @@ static void stage_mesh(void* user) {
 
 static void stage_bvh(void* user) {
     stages* s = user;
-    dmi_bvh_destroy(s->bvh);
-    check(dmi_bvh_create(s->picker, s->mesh, NULL, &s->bvh), "bvh");
+    test_bvh_destroy(s->bvh);
+    check(test_bvh_create(s->picker, s->mesh, NULL, &s->bvh), "bvh");
 }
 
 static void stage_cloud(void* user) {

@@ -38,6 +38,17 @@ static inline void test_world_open(test_world* world) {
     assert_int_equal(dm_context_create(&world->desc, &world->context), DM_OK);
 }
 
+/* What is in use: blocks, or bytes, of the host once the context has given back what it keeps for later. */
+static inline int64_t test_world_blocks(test_world* world) {
+    assert_int_equal(dm_context_trim(world->context), DM_OK);
+    return world->memory.live_blocks;
+}
+
+static inline int64_t test_world_bytes(test_world* world) {
+    assert_int_equal(dm_context_trim(world->context), DM_OK);
+    return world->memory.live_bytes;
+}
+
 static inline void test_world_close(test_world* world) {
     dm_context_destroy(world->context);
     assert_int_equal(world->memory.live_blocks, 0);

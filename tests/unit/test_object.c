@@ -331,13 +331,13 @@ static void test_progress_rises_and_cancels(void** state) {
     assert_true(seen.rising && seen.calls >= 4);
     assert_near(seen.last, 1, 1e-6f);
     int calls = seen.calls;
-    int64_t held = w.memory.live_bytes;
+    int64_t held = test_world_bytes(&w);
     for (int stop = 1; stop <= calls; stop++) {
         seen = (watcher){.rising = 1, .stop_at = stop};
         object = 0;
         assert_int_equal(dm_object_prepare(w.context, &cabinet.desc, &object), DM_ERROR_CANCELLED);
         assert_int_equal(object, 0);
-        assert_int_equal(w.memory.live_bytes, held);
+        assert_int_equal(test_world_bytes(&w), held);
     }
     test_world_close(&w);
 }

@@ -10,7 +10,9 @@
 
 #include "base/random.h"
 #include "math/vec3.h"
+#include "mesh/mesh.h"
 #include "pick/pick.h"
+#include "test_bvh.h"
 #include "test_shapes.h"
 
 static test_shape shape;
@@ -46,7 +48,7 @@ static dmi_mesh* create_mesh(fixture* f) {
 
 static dmi_bvh* create_bvh(fixture* f, const dmi_mesh* mesh) {
     dmi_bvh* bvh = NULL;
-    assert_int_equal(dmi_bvh_create(f->picker, mesh, NULL, &bvh), DM_OK);
+    assert_int_equal(test_bvh_create(f->picker, mesh, NULL, &bvh), DM_OK);
     return bvh;
 }
 
@@ -293,7 +295,7 @@ static void picks_of_moved_instances_match_brute_force(void** state) {
             move_everything(scene, &w, &random, extent);
         }
         dmi_scene_destroy(scene);
-        dmi_bvh_destroy(bvh);
+        test_bvh_destroy(bvh);
         dmi_mesh_destroy(&f.t.env, mesh);
         close_fixture(&f);
     }
@@ -321,7 +323,7 @@ static void open_stage(stage* s) {
 
 static void close_stage(stage* s) {
     dmi_scene_destroy(s->scene);
-    dmi_bvh_destroy(s->bvh);
+    test_bvh_destroy(s->bvh);
     dmi_mesh_destroy(&s->f.t.env, s->mesh);
     close_fixture(&s->f);
 }
@@ -657,7 +659,7 @@ static void memory_of_the_trees_is_counted(void** state) {
     const uint64_t with = *bytes;
     assert_true(with > before + 1000 * 16 && with < before + 10000000);
     if (choice == DM_PICK_PORTABLE) assert_true(s.f.t.env.pick_bytes == 0);
-    dmi_bvh_destroy(bvh);
+    test_bvh_destroy(bvh);
     assert_true(*bytes <= before);
     dmi_mesh_destroy(&s.f.t.env, mesh);
     close_stage(&s);
@@ -680,7 +682,7 @@ static void* build_and_pick(void* data) {
         uint32_t instance;
         dm_pose identity = dmi_pose_identity();
         dm_hit hit = {0};
-        int good = dmi_bvh_create(b->picker, b->mesh, NULL, &bvh) == DM_OK &&
+        int good = test_bvh_create(b->picker, b->mesh, NULL, &bvh) == DM_OK &&
                    dmi_scene_create(b->picker, &scene) == DM_OK &&
                    dmi_scene_add(scene, bvh, &b->mesh->frame, 1, &identity, &instance) == DM_OK;
         if (good) {
@@ -690,7 +692,7 @@ static void* build_and_pick(void* data) {
         }
         b->failures += hit.object != 1;
         dmi_scene_destroy(scene);
-        dmi_bvh_destroy(bvh);
+        test_bvh_destroy(bvh);
     }
     return NULL;
 }
@@ -760,12 +762,12 @@ static void every_refused_allocation_is_reported(void** state) {
         dmi_scene* scene = NULL;
         uint32_t instance = 77;
         dm_result result = dmi_picker_create(&f.t.env, choice, &picker);
-        if (result == DM_OK) result = dmi_bvh_create(picker, mesh, NULL, &bvh);
+        if (result == DM_OK) result = test_bvh_create(picker, mesh, NULL, &bvh);
         if (result == DM_OK) result = dmi_scene_create(picker, &scene);
         if (result == DM_OK) result = dmi_scene_add(scene, bvh, &mesh->frame, 1, &identity, &instance);
         if (result != DM_OK) assert_int_equal(instance, 77);
         dmi_scene_destroy(scene);
-        dmi_bvh_destroy(bvh);
+        test_bvh_destroy(bvh);
         dmi_picker_destroy(picker);
         if (result == DM_OK && f.t.memory.calls <= n) break;
         if (result == DM_OK) continue; /* memory to copy a tree to its size, which can stay as large as it is */

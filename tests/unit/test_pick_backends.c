@@ -13,6 +13,7 @@
 #include "pick/bvh.h"
 #include "pick/placed.h"
 #include "pick/wide_tree.h"
+#include "test_bvh.h"
 #include "test_shapes.h"
 
 enum { BACKENDS = 2, INSTANCES = 4, PARTS = 3, RAYS = 4000 };
@@ -61,7 +62,7 @@ static void open_stage(stage* s, int32_t preset, float unit, dmi_random* random)
     s->size = (double)dmi_frame_length_out(&s->mesh->frame);
     for (int b = 0; b < BACKENDS; b++) {
         assert_int_equal(dmi_picker_create(&s->t.env, choices[b], &s->picker[b]), DM_OK);
-        assert_int_equal(dmi_bvh_create(s->picker[b], s->mesh, NULL, &s->bvh[b]), DM_OK);
+        assert_int_equal(test_bvh_create(s->picker[b], s->mesh, NULL, &s->bvh[b]), DM_OK);
         assert_int_equal(dmi_scene_create(s->picker[b], &s->scene[b]), DM_OK);
     }
     for (uint32_t i = 0; i < INSTANCES; i++) {
@@ -83,7 +84,7 @@ static void open_stage(stage* s, int32_t preset, float unit, dmi_random* random)
 static void close_stage(stage* s) {
     for (int b = 0; b < BACKENDS; b++) {
         dmi_scene_destroy(s->scene[b]);
-        dmi_bvh_destroy(s->bvh[b]);
+        test_bvh_destroy(s->bvh[b]);
         dmi_picker_destroy(s->picker[b]);
     }
     dmi_mesh_destroy(&s->t.env, s->mesh);
@@ -295,10 +296,10 @@ static void nothing_slips_between_triangles(void** state) {
         assert_true(dmi_axes_init(&axes, DM_AXES_GLTF, NULL, 1));
         assert_int_equal(dmi_mesh_create(&t.env, &axes, &desc, NULL, 0, NULL, &mesh), DM_OK);
         assert_int_equal(dmi_picker_create(&t.env, choices[b], &picker), DM_OK);
-        assert_int_equal(dmi_bvh_create(picker, mesh, NULL, &bvh), DM_OK);
+        assert_int_equal(test_bvh_create(picker, mesh, NULL, &bvh), DM_OK);
         const float* centre = mesh->parts[0].centre;
         for (uint32_t i = 0; i < 20000; i++) {
-            const uint32_t face = dmi_random_u32(&random) % bvh->parts[0].face_count;
+            const uint32_t face = dmi_random_u32(&random) % bvh->mesh->parts[0].solid_count;
             const float* corner[3];
             dmi_bvh_corners(bvh, &bvh->parts[0], face, corner);
             const float t0 = i % 3 == 0 ? 0 : i % 3 == 1 ? 0.5f : dmi_random_unit(&random);
@@ -311,7 +312,7 @@ static void nothing_slips_between_triangles(void** state) {
             dmi_part_hit hit;
             assert_true(picker->backend->first_hit(bvh->parts[0].tree, &ray, &hit));
         }
-        dmi_bvh_destroy(bvh);
+        test_bvh_destroy(bvh);
         dmi_picker_destroy(picker);
         dmi_mesh_destroy(&t.env, mesh);
         test_env_close(&t);
@@ -348,11 +349,11 @@ static int build_in_little_memory(size_t room) {
     fclose(file);
     struct rlimit limit = {pages * (size_t)sysconf(_SC_PAGESIZE) + room, RLIM_INFINITY};
     const int limited = setrlimit(RLIMIT_AS, &limit) == 0;
-    const dm_result result = dmi_bvh_create(picker, mesh, NULL, &bvh);
+    const dm_result result = test_bvh_create(picker, mesh, NULL, &bvh);
     limit.rlim_cur = RLIM_INFINITY;
     if (!limited || setrlimit(RLIMIT_AS, &limit) != 0) return 1;
     if (result != DM_OK && result != DM_ERROR_OUT_OF_MEMORY) return 2;
-    if (dmi_bvh_create(picker, mesh, NULL, &next) != DM_OK) return 3;
+    if (test_bvh_create(picker, mesh, NULL, &next) != DM_OK) return 3;
     const dmi_bvh* last = result == DM_OK ? bvh : next;
     const dmi_part_ray ray = {{0, 0, -2}, {0, 0, 1}, INFINITY};
     dmi_part_hit hit;
@@ -392,10 +393,8 @@ static void instruction_sets_give_the_same_bits(void** state) {
     test_env_open(&t, TEST_NEVER);
     dmi_random random = dmi_random_make(9, 9);
     make_shape(&random);
-    static dmi_pick_face faces[TEST_SHAPE_MAX];
-    for (uint32_t f = 0; f < shape.face_count; f++) memcpy(faces[f].corner, shape.corners[f], sizeof faces[f].corner);
     const dmi_triangles triangles = {.positions = &shape.xyz[0][0],
-                                     .faces = faces,
+                                     .wide = &shape.corners[0][0],
                                      .vertex_count = shape.vertex_count,
                                      .face_count = shape.face_count};
     assert_int_equal(dmi_wide_tree_build(&t.env, &triangles, &tree), DM_OK);

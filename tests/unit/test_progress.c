@@ -101,14 +101,14 @@ static void check(int32_t picking) {
     const int few = count_reports(&w, &small), many = count_reports(&w, &large);
     assert_true(many > few);
     assert_true(many >= (int)(large.faces / TRIANGLES_A_REPORT));
-    const int64_t held = w.memory.live_blocks;
+    const int64_t held = test_world_blocks(&w);
     for (int stop = 1; stop <= few; stop += 1 + few / 6) {
         reports r = {.stop_at = stop};
         dm_object object = 0;
         assert_int_equal(prepare(&w, &small, &r, &object), DM_ERROR_CANCELLED);
         assert_int_equal(r.count, stop); /* and no more of them afterwards */
         assert_int_equal(object, 0);
-        assert_int_equal(w.memory.live_blocks, held);
+        assert_int_equal(test_world_blocks(&w), held);
         assert_int_equal(w.messages.code, DM_ERROR_CANCELLED);
     }
     free_grid(&small);
@@ -303,12 +303,12 @@ static void check_call(setting* s, const char* name, dm_result (*call)(setting* 
     assert_int_equal(s->r.falls, 0);
     assert_int_equal(s->r.outside, 0);
     assert_true(s->r.last >= LEAST_DONE);
-    const int64_t held = s->w.memory.live_blocks;
+    const int64_t held = test_world_blocks(&s->w);
     for (int stop = 1; stop <= all; stop += 1 + all / MOST_STOPS) {
         s->r = (reports){.stop_at = stop};
         assert_int_equal(call(s), DM_ERROR_CANCELLED);
         assert_int_equal(s->r.count, stop);
-        assert_int_equal(s->w.memory.live_blocks, held);
+        assert_int_equal(test_world_blocks(&s->w), held);
         assert_int_equal(s->w.messages.code, DM_ERROR_CANCELLED);
     }
     s->r = (reports){0};

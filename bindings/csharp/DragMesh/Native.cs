@@ -1653,11 +1653,11 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_prepare(IntPtr context, ObjectDesc* desc, ulong* out_object);
 
-        /// <summary>Writes the prepared object (.dmo: versioned, checksummed, little-endian). Call with buffer NULL to learn the size. out_size gets the bytes needed or written, with BUFFER_TOO_SMALL too. [exclusive object]</summary>
+        /// <summary>Writes the prepared object (.dmo: versioned, checksummed, little-endian). Call with buffer NULL to learn the size. out_size gets the bytes needed or written, with BUFFER_TOO_SMALL too. Triangles come with trees of the library's own, so that loading builds none; where the object has others, each call builds them. [exclusive object]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_save(IntPtr context, ulong @object, void* buffer, UIntPtr capacity, UIntPtr* out_size);
 
-        /// <summary>Reads what dm_object_save wrote, by this or any earlier version. `model` (may be 0) serves its motions. Errors: BAD_DATA, VERSION, CANCELLED. [any-thread]</summary>
+        /// <summary>Reads what dm_object_save wrote, by this or any earlier version. `model` (may be 0) serves its motions. The file's own trees are taken where desc.picking of the context is DM_PICK_AUTO or DM_PICK_PORTABLE (dm_object_info.picking). Errors: BAD_DATA, VERSION, CANCELLED. [any-thread]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_load(IntPtr context, void* data, UIntPtr size, ulong model, ulong* out_object);
 

@@ -999,11 +999,13 @@ DM_API dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_de
 DM_API dm_result DM_CALL dm_object_prepare(dm_context* context, const dm_object_desc* desc, dm_object* out_object);
 
 /* Writes the prepared object (.dmo: versioned, checksummed, little-endian). Call with buffer NULL to learn the size.
- * out_size gets the bytes needed or written, with BUFFER_TOO_SMALL too. [exclusive object] */
+ * out_size gets the bytes needed or written, with BUFFER_TOO_SMALL too. Triangles come with trees of the library's own,
+ * so that loading builds none; where the object has others, each call builds them. [exclusive object] */
 DM_API dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* buffer, size_t capacity,
                                         size_t* out_size);
 
-/* Reads what dm_object_save wrote, by this or any earlier version. `model` (may be 0) serves its motions.
+/* Reads what dm_object_save wrote, by this or any earlier version. `model` (may be 0) serves its motions. The file's own
+ * trees are taken where desc.picking of the context is DM_PICK_AUTO or DM_PICK_PORTABLE (dm_object_info.picking).
  * Errors: BAD_DATA, VERSION, CANCELLED. [any-thread] */
 DM_API dm_result DM_CALL dm_object_load(dm_context* context, const void* data, size_t size, dm_model model,
                                         dm_object* out_object);

@@ -37,12 +37,13 @@ static void box_at(const dmi_mesh* mesh, uint32_t part, const dm_pose* pose, flo
     }
 }
 
-static dm_joint_end describe_end(const dmi_object* object, uint32_t part, const dm_joint* joint, int end) {
+static dm_joint_end describe_end(const dmi_object* object, const dmi_mesh* mesh, uint32_t part, const dm_joint* joint,
+                                 int end) {
     const dmi_frame* frame = &object->frame;
     const float value = value_at(joint, end);
     const dm_pose pose = dmi_joint_pose(joint, value);
     float min[3], max[3], centre[3], centre_out[3];
-    box_at(object->mesh, part, &pose, min, max);
+    box_at(mesh, part, &pose, min, max);
     dmi_pose_apply(&pose, object->parts[part].shape.centre, centre);
     dmi_frame_point_out(frame, centre, centre_out);
     dm_joint_end out = {.value = joint->type == DM_JOINT_PRISMATIC ? value * dmi_frame_length_out(frame) : value,
@@ -52,23 +53,24 @@ static dm_joint_end describe_end(const dmi_object* object, uint32_t part, const 
     return out;
 }
 
-static void describe(const dmi_object* object, uint32_t part, question* out) {
+static void describe(const dmi_object* object, const dmi_mesh* mesh, uint32_t part, question* out) {
     const dmi_hypotheses* found = &object->parts[part].hypotheses;
     for (uint32_t i = 0; i < found->count; i++) {
         out->joints[i] = dmi_frame_joint_out(&object->frame, &found->joints[i]);
         out->joints[i].struct_size = sizeof out->joints[i];
         out->hypotheses[i] = (dm_hypothesis){.struct_size = sizeof *out->hypotheses, .joint = &out->joints[i]};
         for (int end = 0; end < ENDS; end++)
-            out->hypotheses[i].ends[end] = describe_end(object, part, &found->joints[i], end);
+            out->hypotheses[i].ends[end] = describe_end(object, mesh, part, &found->joints[i], end);
         out->list[i] = &out->hypotheses[i];
     }
 }
 
-dm_result dmi_choose_joint(dmi_env* env, dmi_object* object, uint32_t index, dm_choice_callback choose, void* user) {
+dm_result dmi_choose_joint(dmi_env* env, dmi_object* object, const dmi_mesh* mesh, uint32_t index,
+                           dm_choice_callback choose, void* user) {
     dmi_object_part* part = &object->parts[index];
     if (part->given_type == DM_JOINT_FIXED) return DM_OK;
     question asked;
-    describe(object, index, &asked);
+    describe(object, mesh, index, &asked);
     const dm_part_info info = dmi_object_part_out(object, index);
     const dm_choice choice = {
         .struct_size = sizeof choice, .count = part->hypotheses.count, .part = &info, .hypotheses = asked.list};

@@ -68,6 +68,17 @@ void dmi_get_words(dmi_dmo_reader* r, void* out, size_t count) {
     }
 }
 
+void dmi_get_halves(dmi_dmo_reader* r, uint32_t* out, size_t count) {
+    const uint8_t* at = r->at;
+    if (r->left < count * sizeof(uint16_t)) {
+        for (size_t i = 0; i < count; i++) out[i] = dmi_get_u16(r);
+        return;
+    }
+    for (size_t i = 0; i < count; i++) out[i] = (uint32_t)at[2 * i] | (uint32_t)at[2 * i + 1] << BYTE_BITS;
+    r->at += count * sizeof(uint16_t);
+    r->left -= count * sizeof(uint16_t);
+}
+
 void dmi_get_floats(dmi_dmo_reader* r, float* out, size_t count) {
     dmi_get_words(r, out, count);
 }

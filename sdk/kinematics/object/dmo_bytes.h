@@ -21,6 +21,8 @@ float dmi_get_f32(dmi_dmo_reader* r);
 double dmi_get_f64(dmi_dmo_reader* r);
 /* `count` numbers of 32 bits, of any type. */
 void dmi_get_words(dmi_dmo_reader* r, void* out, size_t count);
+/* `count` numbers of 16 bits. */
+void dmi_get_halves(dmi_dmo_reader* r, uint32_t* out, size_t count);
 void dmi_get_floats(dmi_dmo_reader* r, float* out, size_t count);
 void dmi_get_joint(dmi_dmo_reader* r, dm_joint* out);
 

@@ -21,6 +21,11 @@
  * CLO  for each part but the body: f32 joint value at which it is closed, of each hypothesis, then for k = -1 of its
  *      joint, inner and in HST (absent where all are 0, and in files made before there were any)
  * TRI  u64 vertices, triangles; f32 [][3] positions, u32 [][3] corners, u16 [] part index (absent without picking)
+ * TREE u32 layout, zero; for each part: u32 nodes, blocks; then for each part: u32 [nodes][8] references, u32
+ * [blocks][4] triangles (absent without TRI, in files of a library that has no portable trees, and in files made before
+ * there were any). The portable trees of TRI's triangles with an area, which are counted within a part. A reference: 0:
+ *      none; 0x80000000 | index of a block, which rise by one as they are met; else the index of a node farther on. A
+ *      block of fewer than four triangles has its first one again. A layout that a reader does not know is left out
  *
  * A joint: i32 type, f32 type confidence, confidence, pitch, axis[3], origin[3], lower, upper, i32 source.
  * Joints are object-normalised like everything else but HST, so a file is independent of the host's axes and unit. A
@@ -40,6 +45,10 @@
 #define DMI_DMO_POINTS_SIZE (3 * (size_t)4 * DMI_OBJECT_POINTS) /* bytes of a part in PNT */
 #define DMI_DMO_VERTEX_SIZE (3 * (size_t)4)                     /* bytes of a vertex in TRI */
 #define DMI_DMO_TRIANGLE_SIZE (3 * 4 + 2)                       /* bytes of a triangle in TRI */
+#define DMI_DMO_TREE_LAYOUT 1
+#define DMI_DMO_TREE_HEAD (2 * 4) /* bytes before the parts of TREE, and of each there */
+#define DMI_DMO_NODE_NUMBERS 8    /* of a node in TREE */
+#define DMI_DMO_BLOCK_NUMBERS 4   /* of a block in TREE */
 #define DMI_DMO_TAG(a, b, c, d) ((uint32_t)(a) | (uint32_t)(b) << 8 | (uint32_t)(c) << 16 | (uint32_t)(d) << 24)
 #define DMI_DMO_MAGIC DMI_DMO_TAG('D', 'M', 'O', '1')
 
@@ -54,13 +63,14 @@ enum {
     DMI_DMO_DEGRADED,
     DMI_DMO_TRIANGLES,
     DMI_DMO_CLOSED,
+    DMI_DMO_TREES,
     DMI_DMO_SECTIONS
 };
 static const uint32_t dmi_dmo_tags[DMI_DMO_SECTIONS] = {
     DMI_DMO_TAG('O', 'B', 'J', ' '), DMI_DMO_TAG('P', 'A', 'R', 'T'), DMI_DMO_TAG('J', 'N', 'T', ' '),
     DMI_DMO_TAG('P', 'N', 'T', ' '), DMI_DMO_TAG('A', 'L', 'T', ' '), DMI_DMO_TAG('F', 'R', 'E', ' '),
     DMI_DMO_TAG('H', 'S', 'T', ' '), DMI_DMO_TAG('L', 'E', 'S', ' '), DMI_DMO_TAG('T', 'R', 'I', ' '),
-    DMI_DMO_TAG('C', 'L', 'O', ' ')};
+    DMI_DMO_TAG('C', 'L', 'O', ' '), DMI_DMO_TAG('T', 'R', 'E', 'E')};
 
 /* Returns the CRC-32 of IEEE 802.3, zlib and PNG. */
 uint32_t dmi_dmo_crc(const uint8_t* bytes, size_t size);

@@ -3,10 +3,13 @@
 
 #include <float.h>
 
+#include "base/kept.h"
 #include "kinematics/object/dmo.h"
 #include "kinematics/object/dmo_bytes.h"
 #include "kinematics/object/dmo_check.h"
 #include "kinematics/object/dmo_format.h"
+#include "kinematics/object/object_mesh.h"
+#include "pick/backend.h"
 
 /* Shares of the work, when the checksum is right, when the arrays of triangles are copied, and when these are measured;
  * measured. */
@@ -250,56 +253,141 @@ static dm_result read_degraded(loading* load) {
     return r->overrun || r->left > 0 ? bad(load, "section LES has the wrong size") : DM_OK;
 }
 
-/* Reads the arrays into the mesh, which has room for them, and computes areas, normals and boxes from them. */
-static dm_result read_arrays(loading* load, dmi_mesh* mesh) {
-    dmi_dmo_reader* r = &load->sections[DMI_DMO_TRIANGLES];
-    size_t corners = (size_t)mesh->face_count * 3;
-    dmi_get_floats(r, mesh->positions, (size_t)mesh->vertex_count * 3);
-    if (!dmi_dmo_within(mesh->positions, (size_t)mesh->vertex_count * 3, DMI_DMO_MAX_COORDINATE))
-        return bad(load, "section TRI: a vertex lies far outside the object");
-    dmi_get_words(r, mesh->indices, corners);
-    for (size_t i = 0; i < corners; i++) {
-        if (mesh->indices[i] >= mesh->vertex_count) return bad(load, "section TRI: an index names no vertex");
-    }
-    for (uint32_t i = 0; i < mesh->face_count; i++) {
-        mesh->face_part[i] = dmi_get_u16(r);
-        if (mesh->face_part[i] >= mesh->part_count) return bad(load, "section TRI: a triangle of no part");
-        mesh->parts[mesh->face_part[i]].face_count++;
-    }
-    for (uint32_t i = 0; i < mesh->part_count; i++) {
-        mesh->parts[i].id = load->object->parts[i].shape.id;
-        mesh->parts[i].parent = load->object->parts[i].shape.parent;
-    }
-    const dmi_progress measuring = dmi_progress_piece(load->progress, ARRAYS_READ, TRIANGLES_READ);
-    dm_result result = dmi_progress_tell(&measuring, 0);
-    if (result == DM_OK) result = dmi_mesh_measure(load->env, &measuring, mesh);
-    return result == DM_ERROR_DEGENERATE_MESH ? bad(load, "section TRI: a part without area") : result;
+/* Triangles as the file has them, in scratch memory. */
+typedef struct arrays {
+    float* positions;
+    uint32_t *indices, *face_part;
+} arrays;
+
+static dm_result out_of_memory(const loading* load) {
+    return dmi_fail(load->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_load: no memory for %llu triangles",
+                    (unsigned long long)load->object->triangle_count);
 }
 
-/* Computes areas, normals and boxes as prepare did, from the same bits, and so with the same result. */
-static dm_result read_triangles(loading* load) {
+static dm_result read_arrays(loading* load, size_t vertices, size_t faces, const arrays* to) {
     dmi_dmo_reader* r = &load->sections[DMI_DMO_TRIANGLES];
-    dmi_object* object = load->object;
-    uint64_t vertices = dmi_get_u64(r), faces = dmi_get_u64(r);
+    dmi_get_floats(r, to->positions, vertices * 3);
+    if (!dmi_dmo_within(to->positions, vertices * 3, DMI_DMO_MAX_COORDINATE))
+        return bad(load, "section TRI: a vertex lies far outside the object");
+    dmi_get_words(r, to->indices, faces * 3);
+    for (size_t i = 0; i < faces * 3; i++) {
+        if (to->indices[i] >= vertices) return bad(load, "section TRI: an index names no vertex");
+    }
+    dmi_get_halves(r, to->face_part, faces);
+    for (size_t i = 0; i < faces; i++) {
+        if (to->face_part[i] >= load->object->part_count) return bad(load, "section TRI: a triangle of no part");
+    }
+    return dmi_progress_tell(load->progress, ARRAYS_READ);
+}
+
+/* Parts have as many triangles as they say, and where they have any, an area. */
+static dm_result check_faces(const loading* load) {
+    const dmi_object* object = load->object;
+    for (uint32_t i = 0; i < object->part_count; i++) {
+        const dmi_packed_part* part = &object->mesh->parts[i];
+        if (part->face_count != object->parts[i].shape.face_count)
+            return bad(load, "section TRI: a part has another number of triangles");
+        if (part->face_count > 0 && part->solid_count == 0) return bad(load, "section TRI: a part without area");
+    }
+    return DM_OK;
+}
+
+static dm_result pack_triangles(loading* load, uint32_t vertices, uint32_t faces, bool wide, const arrays* room) {
+    const dmi_progress packing = dmi_progress_piece(load->progress, ARRAYS_READ, TRIANGLES_READ);
+    const dmi_unpacked all = {room->positions, room->indices, room->face_part,
+                              vertices,        faces,         load->object->part_count};
+    dm_result result = read_arrays(load, vertices, faces, room);
+    if (result == DM_OK) result = dmi_object_pack(load->env, &all, wide, &packing, load->object);
+    return result == DM_OK ? check_faces(load) : result;
+}
+
+static dm_result read_triangles(loading* load, bool wide) {
+    dmi_dmo_reader* r = &load->sections[DMI_DMO_TRIANGLES];
+    const dmi_object* object = load->object;
+    const uint64_t vertices = dmi_get_u64(r), faces = dmi_get_u64(r);
     if (vertices != object->vertex_count || faces != object->triangle_count || vertices == 0 || faces == 0 ||
         r->left != vertices * DMI_DMO_VERTEX_SIZE + faces * DMI_DMO_TRIANGLE_SIZE) {
         return bad(load, "section TRI has the wrong size");
     }
-    dm_result result = dmi_mesh_restore(load->env, &object->frame, (uint32_t)vertices, (uint32_t)faces,
-                                        object->part_count, &object->mesh);
-    if (result == DM_OK) result = read_arrays(load, object->mesh);
-    for (uint32_t i = 0; result == DM_OK && i < object->part_count; i++) {
-        if (object->mesh->parts[i].face_count != object->parts[i].shape.face_count) {
-            return bad(load, "section TRI: a part has another number of triangles");
-        }
-        object->parts[i].shape = object->mesh->parts[i];
-    }
+    const arrays room = {.positions = dmi_scratch_alloc(load->env, vertices * 3 * sizeof(float)),
+                         .indices = dmi_scratch_alloc(load->env, faces * 3 * sizeof(uint32_t)),
+                         .face_part = dmi_scratch_alloc(load->env, faces * sizeof(uint32_t))};
+    const dm_result result = room.positions != NULL && room.indices != NULL && room.face_part != NULL
+                                 ? pack_triangles(load, (uint32_t)vertices, (uint32_t)faces, wide, &room)
+                                 : out_of_memory(load);
+    dmi_scratch_free(load->env, room.positions);
+    dmi_scratch_free(load->env, room.indices);
+    dmi_scratch_free(load->env, room.face_part);
     return result;
+}
+
+/* ---- trees ---- */
+
+/* Whether the file has trees of a layout that is known. */
+static bool has_trees(loading* load) {
+    dmi_dmo_reader* r = &load->sections[DMI_DMO_TREES];
+    if (r->at == NULL || r->left < DMI_DMO_TREE_HEAD) return false;
+    const uint32_t layout = dmi_get_u32(r);
+    dmi_get_u32(r);
+    return layout == DMI_DMO_TREE_LAYOUT;
+}
+
+/* Fills the shapes of all parts but for their pointers. Returns whether the section has the numbers that they need. */
+static bool read_tree_sizes(loading* load, dmi_tree_shape* shapes) {
+    dmi_dmo_reader* r = &load->sections[DMI_DMO_TREES];
+    uint64_t numbers = 0;
+    for (uint32_t p = 0; p < load->object->part_count; p++) {
+        shapes[p] = (dmi_tree_shape){.child_step = DMI_DMO_NODE_NUMBERS, .face_step = DMI_DMO_BLOCK_NUMBERS};
+        shapes[p].node_count = dmi_get_u32(r);
+        shapes[p].block_count = dmi_get_u32(r);
+        numbers += (uint64_t)shapes[p].node_count * DMI_DMO_NODE_NUMBERS;
+        numbers += (uint64_t)shapes[p].block_count * DMI_DMO_BLOCK_NUMBERS;
+    }
+    return !r->overrun && r->left == numbers * sizeof(uint32_t);
+}
+
+static dm_result make_trees(loading* load, dmi_picker* picker, const dmi_progress* progress, dmi_tree_shape* shapes,
+                            uint32_t* numbers) {
+    dmi_dmo_reader* r = &load->sections[DMI_DMO_TREES];
+    dmi_get_words(r, numbers, r->left / sizeof *numbers);
+    for (uint32_t p = 0; p < load->object->part_count; p++) {
+        shapes[p].child = numbers;
+        numbers += (size_t)shapes[p].node_count * DMI_DMO_NODE_NUMBERS;
+        shapes[p].face = numbers;
+        numbers += (size_t)shapes[p].block_count * DMI_DMO_BLOCK_NUMBERS;
+    }
+    const dm_result result = dmi_object_make_trees(picker, shapes, progress, load->object);
+    return result == DM_ERROR_BAD_DATA ? bad(load, "section TREE: a tree that is none of its triangles") : result;
+}
+
+static dm_result read_trees(loading* load, dmi_picker* picker, const dmi_progress* progress) {
+    dmi_env* env = load->env;
+    dmi_tree_shape* shapes = dmi_scratch_alloc(env, load->object->part_count * sizeof *shapes);
+    if (shapes == NULL) return out_of_memory(load);
+    dm_result result = DM_OK;
+    if (!read_tree_sizes(load, shapes)) result = bad(load, "section TREE has the wrong size");
+    uint32_t* numbers = result == DM_OK ? dmi_scratch_alloc(env, load->sections[DMI_DMO_TREES].left) : NULL;
+    if (numbers != NULL)
+        result = make_trees(load, picker, progress, shapes, numbers);
+    else if (result == DM_OK)
+        result = out_of_memory(load);
+    dmi_scratch_free(env, numbers);
+    dmi_scratch_free(env, shapes);
+    return result;
+}
+
+/* Triangles, and trees that are stored, or built where there are none or the context has others. */
+static dm_result read_pickable(loading* load, dmi_picker* picker) {
+    const dmi_progress building = dmi_progress_piece(load->progress, TRIANGLES_READ, 1);
+    const bool stored = has_trees(load) && dmi_picker_restores(picker);
+    dm_result result = read_triangles(load, !stored && dmi_picker_is_wide(picker));
+    if (result == DM_OK) result = dmi_progress_tell(&building, 0);
+    if (result != DM_OK) return result;
+    return stored ? read_trees(load, picker, &building) : dmi_object_make_trees(picker, NULL, &building, load->object);
 }
 
 dm_result dmi_dmo_read(dmi_env* env, dmi_picker* picker, const dmi_axes* axes, const void* data, size_t size,
                        const dmi_progress* progress, dmi_object** out_object) {
-    const dmi_progress building = dmi_progress_piece(progress, TRIANGLES_READ, 1);
     loading load = {.env = env, .axes = axes, .progress = progress};
     dm_result result = read_table(&load, data, size);
     if (result == DM_OK) result = dmi_progress_tell(progress, CHECKED);
@@ -310,11 +398,7 @@ dm_result dmi_dmo_read(dmi_env* env, dmi_picker* picker, const dmi_axes* axes, c
     if (result == DM_OK) result = read_alternatives(&load);
     if (result == DM_OK) result = read_free_ranges(&load);
     if (result == DM_OK) result = read_degraded(&load);
-    if (result == DM_OK && load.sections[DMI_DMO_TRIANGLES].at != NULL) {
-        result = read_triangles(&load);
-        if (result == DM_OK) result = dmi_progress_tell(&building, 0);
-        if (result == DM_OK) result = dmi_bvh_create(picker, load.object->mesh, &building, &load.object->bvh);
-    }
+    if (result == DM_OK && load.sections[DMI_DMO_TRIANGLES].at != NULL) result = read_pickable(&load, picker);
     if (result == DM_OK) result = dmi_progress_tell(progress, 1);
     if (result != DM_OK) {
         dmi_object_destroy(env, load.object);

@@ -4,8 +4,15 @@
 #include "kinematics/object/dmo.h"
 #include "kinematics/object/dmo_bytes.h"
 #include "kinematics/object/dmo_format.h"
+#include "pick/backend.h"
 
-static void write_object(dmi_dmo_writer* w, const dmi_object* object) {
+typedef struct saved {
+    const dmi_object* object;
+    const dmi_bvh* trees; /* of its triangles; NULL: none */
+} saved;
+
+static void write_object(dmi_dmo_writer* w, const saved* from) {
+    const dmi_object* object = from->object;
     for (int i = 0; i < 3; i++) dmi_put_f64(w, object->frame.centre[i]);
     dmi_put_f64(w, object->frame.size);
     dmi_put_floats(w, object->box_min, 3);
@@ -17,7 +24,8 @@ static void write_object(dmi_dmo_writer* w, const dmi_object* object) {
     dmi_put_u32(w, 0);
 }
 
-static void write_parts(dmi_dmo_writer* w, const dmi_object* object) {
+static void write_parts(dmi_dmo_writer* w, const saved* from) {
+    const dmi_object* object = from->object;
     for (uint32_t i = 0; i < object->part_count; i++) {
         const dmi_part* shape = &object->parts[i].shape;
         dmi_put_u32(w, shape->id);
@@ -42,7 +50,8 @@ static int32_t hypothesis_in_force(const dmi_object* object, const dmi_object_pa
     return -1;
 }
 
-static void write_joints(dmi_dmo_writer* w, const dmi_object* object) {
+static void write_joints(dmi_dmo_writer* w, const saved* from) {
+    const dmi_object* object = from->object;
     for (uint32_t i = 1; i < object->part_count; i++) {
         const dmi_object_part* part = &object->parts[i];
         int32_t in_force = hypothesis_in_force(object, part);
@@ -55,7 +64,8 @@ static void write_joints(dmi_dmo_writer* w, const dmi_object* object) {
     }
 }
 
-static void write_host_joints(dmi_dmo_writer* w, const dmi_object* object) {
+static void write_host_joints(dmi_dmo_writer* w, const saved* from) {
+    const dmi_object* object = from->object;
     const dmi_axes* axes = &object->frame.axes;
     dmi_put_floats(w, axes->to_canonical, DMI_DMO_AXES);
     dmi_put_f32(w, axes->unit);
@@ -71,13 +81,15 @@ static bool has_host_joints(const dmi_object* object) {
     return false;
 }
 
-static void write_points(dmi_dmo_writer* w, const dmi_object* object) {
+static void write_points(dmi_dmo_writer* w, const saved* from) {
+    const dmi_object* object = from->object;
     for (uint32_t i = 1; i < object->part_count; i++) {
         dmi_put_floats(w, &object->parts[i].points[0][0], (size_t)DMI_OBJECT_POINTS * 3);
     }
 }
 
-static void write_alternatives(dmi_dmo_writer* w, const dmi_object* object) {
+static void write_alternatives(dmi_dmo_writer* w, const saved* from) {
+    const dmi_object* object = from->object;
     for (uint32_t i = 1; i < object->part_count; i++) {
         const dmi_alternatives* all = &object->parts[i].alternatives;
         dmi_put_u32(w, all->count);
@@ -95,7 +107,8 @@ static void write_free_range(dmi_dmo_writer* w, dmi_free_range range) {
     dmi_put_floats(w, numbers, 2);
 }
 
-static void write_free_ranges(dmi_dmo_writer* w, const dmi_object* object) {
+static void write_free_ranges(dmi_dmo_writer* w, const saved* from) {
+    const dmi_object* object = from->object;
     for (uint32_t i = 1; i < object->part_count; i++) {
         const dmi_hypotheses* hypotheses = &object->parts[i].hypotheses;
         const dmi_alternatives* alternatives = &object->parts[i].alternatives;
@@ -105,11 +118,13 @@ static void write_free_ranges(dmi_dmo_writer* w, const dmi_object* object) {
     }
 }
 
-static void write_degraded(dmi_dmo_writer* w, const dmi_object* object) {
+static void write_degraded(dmi_dmo_writer* w, const saved* from) {
+    const dmi_object* object = from->object;
     dmi_put_u32(w, object->degraded);
 }
 
-static void write_closed(dmi_dmo_writer* w, const dmi_object* object) {
+static void write_closed(dmi_dmo_writer* w, const saved* from) {
+    const dmi_object* object = from->object;
     for (uint32_t i = 1; i < object->part_count; i++) {
         const dmi_object_part* part = &object->parts[i];
         for (uint32_t j = 0; j < part->hypotheses.count; j++) dmi_put_f32(w, part->hypotheses.joints[j].closed);
@@ -129,39 +144,81 @@ static bool has_closed(const dmi_object* object) {
     return false;
 }
 
-static void write_triangles(dmi_dmo_writer* w, const dmi_object* object) {
-    const dmi_mesh* mesh = object->mesh;
+/* A writer for element `i` of an array that begins at `begin`. */
+static dmi_dmo_writer element(const dmi_dmo_writer* w, size_t begin, size_t i, size_t size) {
+    return (dmi_dmo_writer){w->out, begin + i * size};
+}
+
+/* In the order that the mesh had. */
+static void write_triangles(dmi_dmo_writer* w, const saved* from) {
+    enum { CORNERS_SIZE = 3 * sizeof(uint32_t) };
+    const dmi_packed_mesh* mesh = from->object->mesh;
     dmi_put_u64(w, mesh->vertex_count);
     dmi_put_u64(w, mesh->face_count);
     dmi_put_floats(w, mesh->positions, (size_t)mesh->vertex_count * 3);
-    dmi_put_words(w, mesh->indices, (size_t)mesh->face_count * 3);
-    for (size_t i = 0; i < mesh->face_count; i++) dmi_put_u16(w, mesh->face_part[i]);
+    const size_t corners = w->size, parts = corners + (size_t)mesh->face_count * CORNERS_SIZE;
+    w->size = parts + (size_t)mesh->face_count * sizeof(uint16_t);
+    for (uint32_t p = 0; w->out != NULL && p < mesh->part_count; p++) {
+        const uint32_t first = mesh->parts[p].first_face, end = first + mesh->parts[p].face_count;
+        for (uint32_t f = first; f < end; f++) {
+            const uint32_t face = dmi_packed_of_mesh(mesh, f);
+            dmi_dmo_writer corner = element(w, corners, face, CORNERS_SIZE), part = element(w, parts, face, 2);
+            for (int i = 0; i < 3; i++) dmi_put_u32(&corner, dmi_packed_corner(mesh, f, i));
+            dmi_put_u16(&part, p);
+        }
+    }
+}
+
+static void write_tree(dmi_dmo_writer* w, const dmi_tree_shape* shape) {
+    for (uint32_t n = 0; n < shape->node_count; n++)
+        dmi_put_words(w, shape->child + n * shape->child_step, DMI_DMO_NODE_NUMBERS);
+    for (uint32_t n = 0; n < shape->block_count; n++)
+        dmi_put_words(w, shape->face + n * shape->face_step, DMI_DMO_BLOCK_NUMBERS);
+}
+
+static void write_trees(dmi_dmo_writer* w, const saved* from) {
+    const uint32_t parts = from->object->part_count;
+    dmi_tree_shape shape;
+    dmi_put_u32(w, DMI_DMO_TREE_LAYOUT);
+    dmi_put_u32(w, 0);
+    for (uint32_t p = 0; p < parts; p++) {
+        dmi_bvh_shapes(from->trees, p, &shape);
+        dmi_put_u32(w, shape.node_count);
+        dmi_put_u32(w, shape.block_count);
+    }
+    for (uint32_t p = 0; p < parts; p++) {
+        dmi_bvh_shapes(from->trees, p, &shape);
+        write_tree(w, &shape);
+    }
 }
 
 /* Tells which sections an object has. Returns how many. */
-static uint32_t list_sections(const dmi_object* object, bool out_present[DMI_DMO_SECTIONS]) {
+static uint32_t list_sections(const saved* from, bool out_present[DMI_DMO_SECTIONS]) {
+    const dmi_object* object = from->object;
     uint32_t count = 0;
     for (int i = 0; i < DMI_DMO_SECTIONS; i++) out_present[i] = true;
     out_present[DMI_DMO_HOST_JOINTS] = has_host_joints(object);
     out_present[DMI_DMO_DEGRADED] = object->degraded != 0;
     out_present[DMI_DMO_CLOSED] = has_closed(object);
     out_present[DMI_DMO_TRIANGLES] = object->mesh != NULL;
+    out_present[DMI_DMO_TREES] = from->trees != NULL;
     for (int i = 0; i < DMI_DMO_SECTIONS; i++) count += out_present[i];
     return count;
 }
 
-static void write_all(dmi_dmo_writer* w, const dmi_object* object) {
-    static void (*const writers[DMI_DMO_SECTIONS])(dmi_dmo_writer*, const dmi_object*) = {
+static void write_all(dmi_dmo_writer* w, const saved* from) {
+    static void (*const writers[DMI_DMO_SECTIONS])(dmi_dmo_writer*, const saved*) = {
         write_object,      write_parts,       write_joints,   write_points,    write_alternatives,
-        write_free_ranges, write_host_joints, write_degraded, write_triangles, write_closed};
+        write_free_ranges, write_host_joints, write_degraded, write_triangles, write_closed,
+        write_trees};
     bool present[DMI_DMO_SECTIONS];
-    const uint32_t count = list_sections(object, present);
+    const uint32_t count = list_sections(from, present);
     dmi_dmo_writer table = {w->out, DMI_DMO_HEADER_SIZE};
     w->size = DMI_DMO_HEADER_SIZE + count * DMI_DMO_ENTRY_SIZE;
     for (uint32_t i = 0; i < DMI_DMO_SECTIONS; i++) {
         if (!present[i]) continue;
         size_t begin = w->size;
-        writers[i](w, object);
+        writers[i](w, from);
         dmi_put_u32(&table, dmi_dmo_tags[i]);
         dmi_put_u32(&table, 0);
         dmi_put_u64(&table, begin);
@@ -172,15 +229,17 @@ static void write_all(dmi_dmo_writer* w, const dmi_object* object) {
     dmi_put_u64(&header, w->size);
 }
 
-size_t dmi_dmo_size(const dmi_object* object) {
+size_t dmi_dmo_size(const dmi_object* object, const dmi_bvh* trees) {
+    const saved from = {object, trees};
     dmi_dmo_writer w = {NULL, 0};
-    write_all(&w, object);
+    write_all(&w, &from);
     return w.size;
 }
 
-void dmi_dmo_write(const dmi_object* object, uint8_t* out) {
+void dmi_dmo_write(const dmi_object* object, const dmi_bvh* trees, uint8_t* out) {
+    const saved from = {object, trees};
     dmi_dmo_writer w = {out, 0};
-    write_all(&w, object);
+    write_all(&w, &from);
     dmi_dmo_writer header = {out, 0};
     dmi_put_u32(&header, DMI_DMO_MAGIC);
     dmi_put_u32(&header, DMI_DMO_VERSION);

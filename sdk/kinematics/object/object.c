@@ -36,8 +36,8 @@ void dmi_object_destroy(dmi_env* env, dmi_object* object) {
 }
 
 void dmi_object_drop_triangles(dmi_env* env, dmi_object* object) {
-    if (object->bvh != NULL) dmi_bvh_destroy(object->bvh);
-    if (object->mesh != NULL) dmi_mesh_destroy(env, object->mesh);
+    dmi_bvh_destroy(object->bvh);
+    dmi_packed_mesh_destroy(env, object->mesh);
     object->bvh = NULL;
     object->mesh = NULL;
 }

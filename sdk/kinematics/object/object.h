@@ -29,8 +29,8 @@ typedef struct dmi_object {
     uint32_t part_count;    /* the body included */
     uint32_t degraded;      /* DM_DEGRADED_* that the object was prepared with; without those that it tells itself */
     bool network_alone;     /* joints are inferred by KPP-Net alone, without geometry and ranker */
-    dmi_mesh* mesh;         /* NULL: no triangles are kept */
-    dmi_bvh* bvh;           /* NULL: no triangles are kept */
+    dmi_packed_mesh* mesh;  /* NULL: no triangles are kept */
+    dmi_bvh* bvh;           /* NULL: no triangles are kept, or nothing picks */
 } dmi_object;
 
 /* Creates an object with zeroed parts. */

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "kinematics/object/object_mesh.h"
+
 /* Numbers the parts that are kept; the others have the number of the part that carries them. Returns their count, the
  * body included. */
 static uint32_t number_parts(const dmi_object* object, const uint8_t* keep, uint32_t* out_number) {
@@ -18,38 +20,33 @@ static uint32_t number_parts(const dmi_object* object, const uint8_t* keep, uint
     return count;
 }
 
-static dm_result copy_mesh(dmi_env* env, const dmi_object* object, const uint8_t* keep, const uint32_t* number,
-                           uint32_t part_count, dmi_mesh** out_mesh) {
-    const dmi_mesh* from = object->mesh;
-    dmi_mesh* mesh = NULL;
-    dm_result result = dmi_mesh_restore(env, &from->frame, from->vertex_count, from->face_count, part_count, &mesh);
-    if (result != DM_OK) return result;
-    memcpy(mesh->positions, from->positions, (size_t)from->vertex_count * 3 * sizeof *mesh->positions);
-    memcpy(mesh->indices, from->indices, (size_t)from->face_count * 3 * sizeof *mesh->indices);
+/* Gives the parts of an unpacked mesh their new numbers, and measures those. */
+static dm_result renumber(dmi_env* env, const dmi_object* object, const uint8_t* keep, const uint32_t* number,
+                          uint32_t part_count, dmi_mesh* mesh) {
+    memset(mesh->parts, 0, part_count * sizeof *mesh->parts);
     for (uint32_t i = 1; i < object->part_count; i++) {
         if (!keep[i]) continue;
         mesh->parts[number[i]].id = object->parts[i].shape.id;
         mesh->parts[number[i]].parent = number[object->parts[i].shape.parent];
     }
-    for (uint32_t f = 0; f < from->face_count; f++) {
-        mesh->face_part[f] = number[from->face_part[f]];
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        mesh->face_part[f] = number[mesh->face_part[f]];
         mesh->parts[mesh->face_part[f]].face_count++;
     }
-    result = dmi_mesh_measure(env, NULL, mesh);
-    if (result != DM_OK) {
-        dmi_mesh_destroy(env, mesh);
-        return result;
-    }
-    *out_mesh = mesh;
-    return DM_OK;
+    const uint32_t room = mesh->part_count;
+    mesh->part_count = part_count;
+    const dm_result result = dmi_mesh_measure(env, NULL, mesh);
+    mesh->part_count = room; /* what is given back */
+    return result;
 }
 
-static void copy_parts(const dmi_object* object, const uint8_t* keep, const uint32_t* number, dmi_object* out) {
+static void copy_parts(const dmi_object* object, const uint8_t* keep, const uint32_t* number, const dmi_mesh* mesh,
+                       dmi_object* out) {
     dmi_object_part* parts = out->parts;
     *parts = *object->parts;
     for (uint32_t i = 1; i < object->part_count; i++)
         if (keep[i]) parts[number[i]] = object->parts[i];
-    for (uint32_t i = 0; i < out->part_count; i++) parts[i].shape = out->mesh->parts[i];
+    for (uint32_t i = 0; i < out->part_count; i++) parts[i].shape = mesh->parts[i];
     out->frame = object->frame;
     out->vertex_count = object->vertex_count;
     out->triangle_count = object->triangle_count;
@@ -59,19 +56,29 @@ static void copy_parts(const dmi_object* object, const uint8_t* keep, const uint
     dmi_object_bound(out);
 }
 
+/* Keeps the triangles in the new numbers, and builds the trees. */
+static dm_result keep_mesh(dmi_env* env, dmi_picker* picker, const dmi_mesh* mesh, dmi_object* out) {
+    dmi_unpacked all = dmi_unpacked_of(mesh);
+    all.part_count = out->part_count;
+    const dm_result result = dmi_object_pack(env, &all, dmi_picker_is_wide(picker), NULL, out);
+    return result == DM_OK ? dmi_object_make_trees(picker, NULL, NULL, out) : result;
+}
+
 static dm_result select_numbered(dmi_env* env, dmi_picker* picker, const dmi_object* object, const uint8_t* keep,
                                  const uint32_t* number, uint32_t part_count, bool keep_triangles,
                                  dmi_object** out_object) {
     dmi_object* out = NULL;
+    dmi_mesh* mesh = NULL;
     dm_result result = dmi_object_create(env, part_count, &out);
-    if (result == DM_OK) result = copy_mesh(env, object, keep, number, part_count, &out->mesh);
-    if (result == DM_OK) copy_parts(object, keep, number, out);
-    if (result == DM_OK && keep_triangles) result = dmi_bvh_create(picker, out->mesh, NULL, &out->bvh);
+    if (result == DM_OK) result = dmi_object_unpack(env, object, NULL, &mesh);
+    if (result == DM_OK) result = renumber(env, object, keep, number, part_count, mesh);
+    if (result == DM_OK) copy_parts(object, keep, number, mesh, out);
+    if (result == DM_OK && keep_triangles) result = keep_mesh(env, picker, mesh, out);
+    dmi_mesh_destroy(env, mesh);
     if (result != DM_OK) {
         dmi_object_destroy(env, out);
         return result;
     }
-    if (!keep_triangles) dmi_object_drop_triangles(env, out);
     *out_object = out;
     return DM_OK;
 }

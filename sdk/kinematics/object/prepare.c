@@ -7,6 +7,7 @@
 #include "kinematics/analysis/part_analysis.h"
 #include "kinematics/object/alike_parts.h"
 #include "kinematics/object/choice.h"
+#include "kinematics/object/object_mesh.h"
 #include "mesh/connectivity.h"
 #include "mesh/mesh_repair.h"
 
@@ -17,6 +18,8 @@
 #define SHARED 0.12f                    /* and when the vertices are welded and the part masks are repaired */
 #define WELDED 0.5f                     /* share of these two, when the vertices are welded; measured */
 #define SAMPLED 0.1f                    /* share of one inference, when the part is sampled; measured */
+#define PACKED 0.055f                   /* and when its triangles are packed; measured */
+#define UNPACKED 0.1f                   /* progress of a refinement when the mesh is computed again; by hand */
 #define REFINING 0.5f                   /* progress of a refinement when the mesh is shared; by hand */
 #define MAX_FIELD_NAME 64               /* of a field in an error message, with the terminating zero */
 
@@ -38,6 +41,7 @@ typedef struct preparation {
     const dmi_prepare_desc* desc;
     const dmi_progress* progress; /* of the whole call */
     dmi_object* object;
+    const dmi_mesh* mesh;
     part_request* requests; /* one per part; the body's is unused */
     shared_mesh shared;
     const uint32_t* like;   /* per part, the one that is inferred for it, mostly itself; NULL: all themselves */
@@ -159,7 +163,7 @@ static dm_result choose_joints(const preparation* work, uint32_t tasks) {
     const dmi_prepare_desc* desc = work->desc;
     dm_result result = DM_OK;
     for (uint32_t i = work->first; desc->choose != NULL && i < work->first + tasks && result == DM_OK; i++)
-        result = dmi_choose_joint(work->env, work->object, i, desc->choose, desc->choose_user);
+        result = dmi_choose_joint(work->env, work->object, work->mesh, i, desc->choose, desc->choose_user);
     return result;
 }
 
@@ -226,7 +230,7 @@ static dm_result run_requests(preparation* work) {
     dmi_arena_init(&arena, work->env, SCRATCH_BLOCK);
     dmi_arena_pool_init(&work->scratch, work->env, SCRATCH_BLOCK);
     const dmi_progress sharing = dmi_progress_piece(work->progress, BVH_DONE, SHARED);
-    dm_result result = make_shared_mesh(&arena, work->object->mesh, &sharing, &work->shared);
+    dm_result result = make_shared_mesh(&arena, work->mesh, &sharing, &work->shared);
     if (result == DM_OK) result = find_alike(&arena, work);
     if (result == DM_OK) result = prepare_parts(work);
     dmi_arena_pool_release(&work->scratch);
@@ -245,15 +249,11 @@ static dm_result infer_joints(preparation* work) {
     return result;
 }
 
-/* Creates the object of a mesh and takes over the mesh, also on failure. */
-static dm_result adopt_mesh(dmi_env* env, dmi_mesh* mesh, uint64_t seed, dmi_object** out_object) {
+/* Creates the object of a mesh. */
+static dm_result make_object(dmi_env* env, const dmi_mesh* mesh, uint64_t seed, dmi_object** out_object) {
     dmi_object* object = NULL;
     dm_result result = dmi_object_create(env, mesh->part_count, &object);
-    if (result != DM_OK) {
-        dmi_mesh_destroy(env, mesh);
-        return result;
-    }
-    object->mesh = mesh;
+    if (result != DM_OK) return result;
     object->frame = mesh->frame;
     object->seed = seed;
     object->vertex_count = mesh->vertex_count;
@@ -273,19 +273,44 @@ static void note_missing(const dmi_inference_models* models, dmi_object* object)
     if (inferred && models->joints == NULL && !object->network_alone) object->degraded |= DM_DEGRADED_NO_RANKER;
 }
 
+/* Keeps the triangles, and builds the trees, where the host wants them. */
+static dm_result keep_triangles(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc,
+                                const dmi_progress* progress, const dmi_mesh* mesh, dmi_object* object) {
+    const dmi_progress packing = dmi_progress_piece(progress, MESH_DONE, PACKED),
+                       building = dmi_progress_piece(progress, PACKED, BVH_DONE);
+    const bool trees = !desc->without_trees;
+    const dmi_unpacked all = dmi_unpacked_of(mesh);
+    if (!desc->keep_triangles) return DM_OK;
+    const dm_result result = dmi_object_pack(env, &all, trees && dmi_picker_is_wide(picker), &packing, object);
+    return result == DM_OK && trees ? dmi_object_make_trees(picker, NULL, &building, object) : result;
+}
+
 static dm_result fill(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc, const dmi_progress* progress,
-                      dmi_object* object) {
-    const dmi_progress building = dmi_progress_piece(progress, MESH_DONE, BVH_DONE);
+                      const dmi_mesh* mesh, dmi_object* object) {
     dm_result result = dmi_progress_tell(progress, MESH_DONE);
-    if (result == DM_OK && desc->keep_triangles && !desc->without_trees)
-        result = dmi_bvh_create(picker, object->mesh, &building, &object->bvh);
+    if (result == DM_OK) result = keep_triangles(env, picker, desc, progress, mesh, object);
     if (result == DM_OK) result = dmi_progress_tell(progress, BVH_DONE);
     if (result != DM_OK) return result;
-    preparation work = {.env = env, .desc = desc, .progress = progress, .object = object};
+    preparation work = {.env = env, .desc = desc, .progress = progress, .object = object, .mesh = mesh};
     result = infer_joints(&work);
     if (result == DM_OK) note_missing(&desc->models, object);
-    if (result == DM_OK && !desc->keep_triangles) dmi_object_drop_triangles(env, object);
     return result;
+}
+
+static dm_result prepare_mesh(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc,
+                              const dmi_progress* progress, const dmi_mesh* mesh, dmi_object** out_object) {
+    dmi_object* object = NULL;
+    dm_result result = make_object(env, mesh, desc->seed, &object);
+    if (result != DM_OK) return result;
+    object->network_alone = desc->network_alone;
+    if (desc->mesh_is_incomplete) object->degraded |= DM_DEGRADED_MESH;
+    result = fill(env, picker, desc, progress, mesh, object);
+    if (result != DM_OK) {
+        dmi_object_destroy(env, object);
+        return result;
+    }
+    *out_object = object;
+    return DM_OK;
 }
 
 dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc, dmi_object** out_object) {
@@ -300,33 +325,34 @@ dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare
     dmi_mesh* mesh = NULL;
     dm_result result = dmi_mesh_create(env, desc->axes, desc->mesh, desc->parts, desc->part_count, &reading, &mesh);
     if (result != DM_OK) return result;
-    dmi_object* object = NULL;
-    result = adopt_mesh(env, mesh, desc->seed, &object);
-    if (result != DM_OK) return result;
-    object->network_alone = desc->network_alone;
-    if (desc->mesh_is_incomplete) object->degraded |= DM_DEGRADED_MESH;
-    result = fill(env, picker, desc, &progress, object);
-    if (result != DM_OK) {
-        dmi_object_destroy(env, object);
-        return result;
-    }
-    *out_object = object;
-    return DM_OK;
+    result = prepare_mesh(env, picker, desc, &progress, mesh, out_object);
+    dmi_mesh_destroy(env, mesh);
+    return result;
+}
+
+static dm_result refine_in(dmi_arena* arena, dmi_object* object, uint32_t part, const dmi_inference_models* models,
+                           const dmi_drag_hint* hint, const dmi_progress* progress, const dmi_mesh* mesh) {
+    const dmi_progress sharing = dmi_progress_piece(progress, UNPACKED, REFINING),
+                       inferring = dmi_progress_piece(progress, REFINING, 1);
+    dmi_cloud* cloud = dmi_arena_push(arena, sizeof *cloud);
+    if (cloud == NULL) return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_refine: no memory for a cloud");
+    shared_mesh shared;
+    const dm_result result = make_shared_mesh(arena, mesh, &sharing, &shared);
+    return result == DM_OK ? infer_part(arena, object, part, models, hint, &shared, &inferring, cloud) : result;
 }
 
 dm_result dmi_object_refine(dmi_env* env, dmi_object* object, uint32_t part, const dmi_inference_models* models,
                             const dmi_drag_hint* hint) {
     float told;
     const dmi_progress progress = dmi_progress_of(env, "dm_object_refine", &told),
-                       sharing = dmi_progress_piece(&progress, 0, REFINING),
-                       inferring = dmi_progress_piece(&progress, REFINING, 1);
+                       unpacking = dmi_progress_piece(&progress, 0, UNPACKED);
+    dmi_mesh* mesh = NULL;
+    dm_result result = dmi_object_unpack(env, object, &unpacking, &mesh);
+    if (result != DM_OK) return result;
     dmi_arena arena;
     dmi_arena_init(&arena, env, SCRATCH_BLOCK);
-    dmi_cloud* cloud = dmi_arena_push(&arena, sizeof *cloud);
-    shared_mesh shared;
-    dm_result result = cloud != NULL ? make_shared_mesh(&arena, object->mesh, &sharing, &shared)
-                                     : dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "dm_object_refine: no memory for a cloud");
-    if (result == DM_OK) result = infer_part(&arena, object, part, models, hint, &shared, &inferring, cloud);
+    result = refine_in(&arena, object, part, models, hint, &progress, mesh);
     dmi_arena_release(&arena);
+    dmi_mesh_destroy(env, mesh);
     return result;
 }

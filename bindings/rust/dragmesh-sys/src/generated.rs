@@ -1745,9 +1745,9 @@ extern "C" {
     pub fn dm_mesh_find_part(context: *mut dm_context, mesh: *const dm_mesh_desc, drag: *const dm_drag_hint, out_face_ids: *mut u8, face_count: u64) -> dm_result;
     /// Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm\_jobs. Warns once where the answer is less than it could be (DM\_DEGRADED\_\*). Errors: NOT\_FINITE, INDEX\_OUT\_OF\_RANGE (also of what desc.choose answers), EMPTY\_MASK, DEGENERATE\_MESH, ZERO\_DRAG, DRAG\_OFF\_PART, TOO\_LARGE, CANCELLED. \[any-thread\]
     pub fn dm_object_prepare(context: *mut dm_context, desc: *const dm_object_desc, out_object: *mut dm_object) -> dm_result;
-    /// Writes the prepared object (.dmo: versioned, checksummed, little-endian). Call with buffer NULL to learn the size. out\_size gets the bytes needed or written, with BUFFER\_TOO\_SMALL too. \[exclusive object\]
+    /// Writes the prepared object (.dmo: versioned, checksummed, little-endian). Call with buffer NULL to learn the size. out\_size gets the bytes needed or written, with BUFFER\_TOO\_SMALL too. Triangles come with trees of the library's own, so that loading builds none; where the object has others, each call builds them. \[exclusive object\]
     pub fn dm_object_save(context: *mut dm_context, object: dm_object, buffer: *mut c_void, capacity: usize, out_size: *mut usize) -> dm_result;
-    /// Reads what dm\_object\_save wrote, by this or any earlier version. \`model\` (may be 0) serves its motions. Errors: BAD\_DATA, VERSION, CANCELLED. \[any-thread\]
+    /// Reads what dm\_object\_save wrote, by this or any earlier version. \`model\` (may be 0) serves its motions. The file's own trees are taken where desc.picking of the context is DM\_PICK\_AUTO or DM\_PICK\_PORTABLE (dm\_object\_info.picking). Errors: BAD\_DATA, VERSION, CANCELLED. \[any-thread\]
     pub fn dm_object_load(context: *mut dm_context, data: *const c_void, size: usize, model: dm_model, out_object: *mut dm_object) -> dm_result;
     /// Its drags and motions end with it, and its instances leave their scenes. \[exclusive object, and none of those in use\]
     pub fn dm_object_destroy(context: *mut dm_context, object: dm_object) -> dm_result;
