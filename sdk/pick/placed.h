@@ -92,6 +92,7 @@ typedef struct dmi_world_hit {
     const dmi_placed_part* part; /* NULL: none */
     double distance;             /* in lengths of the direction */
     double weight[2];            /* of the second and third corner */
+    double triangle[3][4];       /* its first corner, and the way to the other two */
     uint32_t face;
 } dmi_world_hit;
 

@@ -131,32 +131,36 @@ TARGET_INLINE bool comes_before(const dmi_placed_part* part, const dmi_placed_pa
     return part->shape < other->shape;
 }
 
-/* In a large scene nothing of a part is in the cache. All lines are asked for at once, and come while the backend looks
- * for a triangle. */
-TARGET_INLINE void fetch_part(const dmi_placed_part* part) {
-    const char* at = (const char*)part;
-    for (size_t line = 0; line < sizeof *part; line += DMI_ALIGNMENT) DMI_PREFETCH(at + line);
+/* In a large scene nothing of a part is in the cache. What describes a hit is asked for once there is one, and comes
+ * while it is measured. */
+TARGET_INLINE void fetch_matrices(const dmi_placed_part* part) {
+    const char* at = (const char*)part->to_world;
+    for (size_t i = 0; i < 2 * sizeof part->to_world; i += DMI_ALIGNMENT) DMI_PREFETCH(at + i);
 }
 
 /* Tests a part whose box the ray enters at `entry`; replaces a hit that is farther away. Of hits at the same distance,
  * that of the lower instance and part wins, so that the order of tests does not count. */
 TARGET DMI_NO_INLINE static void hit_part(const dmi_placed_part* part, const dmi_world_ray* ray, float entry,
                                           dmi_world_hit* hit) {
-    fetch_part(part);
     const inner_ray inner = enter_part(part, ray, entry);
-    DMI_PREFETCH(part->owner);
     const double left = (hit->distance - inner.start) * part->inverse_scale;
     dmi_part_ray part_ray = {.far = (float)(left * (1 + FAR_ROUNDING) + FAR_ROUNDING)};
     store_floats(&inner.origin, part_ray.origin);
     store_floats(&inner.direction, part_ray.direction);
     dmi_part_hit found;
     if (!part->first_hit(part->shape->tree, &part_ray, &found)) return;
+    fetch_matrices(part);
     const triangle t = load_triangle(part, found.face);
     double weight[2];
     const double distance = inner.start + part->scale * meet_triangle(&t, &inner, &found, weight);
     if (!(distance <= hit->distance)) return;
     if (distance == hit->distance && hit->part != NULL && !comes_before(part, hit->part)) return;
-    *hit = (dmi_world_hit){.part = part, .distance = distance, .weight = {weight[0], weight[1]}, .face = found.face};
+    hit->part = part;
+    hit->distance = distance;
+    hit->weight[0] = weight[0];
+    hit->weight[1] = weight[1];
+    hit->face = found.face;
+    memcpy(hit->triangle, &t, sizeof hit->triangle);
 }
 
 /* Returns the triangle's normal in the world, unit; the direction against the ray where it has no area. */
@@ -169,7 +173,7 @@ TARGET_INLINE vector world_normal(const dmi_placed_part* part, const triangle* t
 TARGET DMI_NO_INLINE static void describe_hit(const dmi_world_ray* ray, const dmi_world_hit* hit, dm_hit* out_hit) {
     const dmi_placed_part* part = hit->part;
     const dmi_bvh_part* shape = part->shape;
-    const triangle t = load_triangle(part, hit->face);
+    const triangle t = {load(hit->triangle[0]), {load(hit->triangle[1]), load(hit->triangle[2])}};
     const vector direction = load(ray->direction);
     const vector inner = t.corner + hit->weight[0] * t.edge[0] + hit->weight[1] * t.edge[1];
     const vector object = apply(part->to_object, &inner), world = apply(part->to_world, &inner);
