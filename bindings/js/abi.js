@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: ce47d098d2b253ff
+// Hash of the description: 61e0d7c5dcaaff98
 
 export const VERSION = '0.3.0-dev';
 export const VERSION_NUMBER = 12287;
@@ -86,6 +86,12 @@ export const IntegerFormat = Object.freeze({
 export const PartIdScope = Object.freeze({
     VERTEX: 0,
     FACE: 1,
+});
+
+export const PivotKind = Object.freeze({
+    UNKNOWN: 0,
+    DEFAULT: 1,
+    SET: 2,
 });
 
 export const JointSource = Object.freeze({
@@ -332,7 +338,7 @@ export const structs = {
         origin: [0, 'dm_vec3'],
         axes: [12, 'f32', 9],
     } },
-    dm_part_desc: { size: 28, fields: {
+    dm_part_desc: { size: 36, fields: {
         structSize: [0, 'u32'],
         id: [4, 'u32'],
         parent: [8, 'u32'],
@@ -340,8 +346,10 @@ export const structs = {
         drag: [16, 'u32'],
         label: [20, 'u32'],
         pivot: [24, 'u32'],
+        pivotKind: [28, 'i32'],
+        reserved: [32, 'u32'],
     } },
-    dm_joint: { size: 72, fields: {
+    dm_joint: { size: 76, fields: {
         structSize: [0, 'u32'],
         type: [4, 'i32'],
         typeConfidence: [8, 'f32'],
@@ -353,6 +361,7 @@ export const structs = {
         upper: [48, 'f32'],
         source: [52, 'i32'],
         evidence: [56, 'u32', 4],
+        closed: [72, 'f32'],
     } },
     dm_joint_frame: { size: 88, fields: {
         structSize: [0, 'u32'],
@@ -367,7 +376,7 @@ export const structs = {
         limits: [80, 'u32'],
         pitch: [84, 'f32'],
     } },
-    dm_part_state: { size: 120, fields: {
+    dm_part_state: { size: 124, fields: {
         structSize: [0, 'u32'],
         value: [4, 'f32'],
         velocity: [8, 'f32'],
@@ -571,7 +580,7 @@ export const structs = {
         lower: [128, 'f32'],
         upper: [132, 'f32'],
     } },
-    dm_drag_state: { size: 96, fields: {
+    dm_drag_state: { size: 100, fields: {
         structSize: [0, 'u32'],
         pose: [4, 'dm_pose'],
         grabPoint: [36, 'dm_vec3'],
@@ -587,6 +596,7 @@ export const structs = {
         status: [84, 'u32'],
         jointConfidence: [88, 'f32'],
         jointBasis: [92, 'i32'],
+        openShare: [96, 'f32'],
     } },
     dm_release_desc: { size: 32, fields: {
         structSize: [0, 'u32'],

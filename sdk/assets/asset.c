@@ -202,14 +202,17 @@ static dm_result infer_joints(making* work) {
 static dm_result order_bodies(making* work) {
     const uint32_t count = work->bodies.count;
     uint32_t *number = NULL, *given_node = dmi_arena_push(&work->arena, count * sizeof *given_node);
-    void* scratch = dmi_arena_push(&work->arena, DMI_RENUMBER_SCRATCH(count));
-    if (given_node == NULL || scratch == NULL ||
+    if (given_node == NULL ||
         dmi_asset_bodies_order(&work->arena, &work->bodies, work->desc->node_count, work->desc->min_moves, &number) !=
             DM_OK)
         return out_of_memory(work->env, work->desc->node_count);
     for (uint32_t i = 0; i < count; i++) given_node[number[i]] = work->given_node[i];
     work->given_node = given_node;
-    dmi_object_renumber(work->object, number, scratch);
+    dmi_object* ordered;
+    const dm_result result = dmi_object_reorder_parts(work->env, work->object, number, &ordered);
+    if (result != DM_OK) return result;
+    dmi_object_destroy(work->env, work->object);
+    work->object = ordered;
     return DM_OK;
 }
 

@@ -61,6 +61,10 @@ static void visit_point(profile* p, const float at[3], visit act) {
     act(p, sqrtf(at[0] * at[0] + at[1] * at[1]), at[2], (uint32_t)sector % SECTORS);
 }
 
+static const float* corner_of(const dmi_packed_mesh* mesh, uint32_t face, int i) {
+    return mesh->positions + 3 * (size_t)dmi_packed_corner(mesh, face, i);
+}
+
 /* Returns whether a face may come near enough to count. */
 static bool is_near(const profile* p, float corners[3][3]) {
     for (int k = 0; k < 3; k++) {
@@ -104,13 +108,14 @@ static void visit_face(profile* p, float corners[3][3], int depth, visit act) { 
 
 /* Visits the faces of the part, or those of all that does not move with it. */
 static void visit_faces(profile* p, const dmi_object* object, uint32_t index, bool of_part, visit act) {
-    const dmi_mesh* mesh = object->mesh;
-    for (uint32_t f = 0; f < mesh->face_count; f++) {
-        const uint32_t owner = mesh->face_part[f];
+    for (uint32_t owner = 0; owner < object->part_count; owner++) {
         if (of_part ? owner != index : dmi_object_moves_with(object, owner, index)) continue;
-        float corners[3][3];
-        for (size_t i = 0; i < 3; i++) place(p, mesh->positions + 3 * (size_t)mesh->indices[3 * f + i], corners[i]);
-        visit_face(p, corners, 0, act);
+        const dmi_packed_part* part = &object->mesh->parts[owner];
+        for (uint32_t f = part->first_face; f < part->first_face + part->face_count; f++) {
+            float corners[3][3];
+            for (int i = 0; i < 3; i++) place(p, corner_of(object->mesh, f, i), corners[i]);
+            visit_face(p, corners, 0, act);
+        }
     }
 }
 
@@ -138,7 +143,7 @@ static void see_body(profile* p, float radius, float height, uint32_t sector) {
 
 /* Finds the axis, the radius and the heights of a part. Returns whether it is about as long as it is wide. */
 static bool measure_extents(const dmi_object* object, uint32_t index, profile* p) {
-    const dmi_mesh* mesh = object->mesh;
+    const dmi_packed_part* part = &object->mesh->parts[index];
     const float* up = object->parts[index].asset_hints.up;
     float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX}, at[3];
     const int flattest =
@@ -152,9 +157,8 @@ static bool measure_extents(const dmi_object* object, uint32_t index, profile* p
         const int a = (k + 1) % 3, b = (k + 2) % 3;
         p->across[1][k] = up[a] * p->across[0][b] - up[b] * p->across[0][a];
     }
-    for (uint32_t i = 0; i < 3 * mesh->face_count; i++) {
-        if (mesh->face_part[i / 3] != index) continue;
-        place(p, mesh->positions + 3 * (size_t)mesh->indices[i], at);
+    for (uint32_t i = 0; i < 3 * part->face_count; i++) {
+        place(p, corner_of(object->mesh, part->first_face + i / 3, (int)(i % 3)), at);
         for (int k = 0; k < 3; k++) low[k] = dmi_fminf(low[k], at[k]), high[k] = dmi_fmaxf(high[k], at[k]);
     }
     for (int k = 0; k < 2; k++) p->centre[k] = 0.5f * (low[k] + high[k]);

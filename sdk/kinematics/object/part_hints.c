@@ -97,7 +97,8 @@ static void list_pivots(const dmi_object* object, const dm_part_desc* parts, uin
 }
 
 /* Drops the pivots of parts that follow one rule. */
-static dm_result judge_pivots(dmi_env* env, dmi_object* object, const dm_part_desc* parts, uint32_t count) {
+static dm_result judge_pivots(dmi_env* env, const dmi_mesh* mesh, dmi_object* object, const dm_part_desc* parts,
+                              uint32_t count) {
     const uint32_t all = object->part_count;
     if (all <= DMI_PIVOT_LEAST_SHAPES) return DM_OK; /* the body is one of them */
     const size_t each = sizeof(dm_pivot*) + sizeof(dmi_pivot_gauge) + sizeof(dmi_pivot_witness);
@@ -106,7 +107,7 @@ static dm_result judge_pivots(dmi_env* env, dmi_object* object, const dm_part_de
     dmi_pivot_witness* witnesses = (dmi_pivot_witness*)(gauges + all);
     const dm_pivot** pivots = (const dm_pivot**)(witnesses + all);
     list_pivots(object, parts, count, pivots);
-    dmi_part_pivots_measure(object->mesh, pivots, gauges, witnesses);
+    dmi_part_pivots_measure(mesh, pivots, gauges, witnesses);
     const bool drops = dmi_part_pivots_follow_rule(witnesses, all);
     for (uint32_t i = 1; drops && i < all; i++)
         if (pivots[i] != NULL) object->parts[i].asset_hints.has_pivot = false;
@@ -132,8 +133,8 @@ static dm_result read_part(dmi_env* env, dmi_object* object, const dm_part_desc*
     return result;
 }
 
-dm_result dmi_object_read_hints(dmi_env* env, dmi_object* object, const dmi_object_labels* labels,
-                                const dm_part_desc* parts, uint32_t count) {
+dm_result dmi_object_read_hints(dmi_env* env, const dmi_mesh* mesh, dmi_object* object,
+                                const dmi_object_labels* labels, const dm_part_desc* parts, uint32_t count) {
     dmi_asset_hints common = {.label = {.kind = DMI_KIND_NOTHING}};
     dm_result result = check_label(env, "desc.label", labels->label);
     if (result == DM_OK) result = read_up(env, object, labels->up, common.up);
@@ -146,7 +147,7 @@ dm_result dmi_object_read_hints(dmi_env* env, dmi_object* object, const dmi_obje
         const int32_t index = dmi_object_find_part(object, parts[i].id);
         if (index > 0) result = read_part(env, object, &parts[i], &object->parts[index].asset_hints);
     }
-    if (result == DM_OK) result = judge_pivots(env, object, parts, count);
+    if (result == DM_OK) result = judge_pivots(env, mesh, object, parts, count);
     mark_shared(object);
     return result;
 }

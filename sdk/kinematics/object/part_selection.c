@@ -56,12 +56,12 @@ static void copy_parts(const dmi_object* object, const uint8_t* keep, const uint
     dmi_object_bound(out);
 }
 
-/* Keeps the triangles in the new numbers, and builds the trees. */
+/* Keeps the triangles in the new numbers, and builds the trees where there is a picker. */
 static dm_result keep_mesh(dmi_env* env, dmi_picker* picker, const dmi_mesh* mesh, dmi_object* out) {
     dmi_unpacked all = dmi_unpacked_of(mesh);
     all.part_count = out->part_count;
-    const dm_result result = dmi_object_pack(env, &all, dmi_picker_is_wide(picker), NULL, out);
-    return result == DM_OK ? dmi_object_make_trees(picker, NULL, NULL, out) : result;
+    const dm_result result = dmi_object_pack(env, &all, picker != NULL && dmi_picker_is_wide(picker), NULL, out);
+    return result == DM_OK && picker != NULL ? dmi_object_make_trees(picker, NULL, NULL, out) : result;
 }
 
 static dm_result select_numbered(dmi_env* env, dmi_picker* picker, const dmi_object* object, const uint8_t* keep,
@@ -94,20 +94,18 @@ dm_result dmi_object_select_parts(dmi_env* env, dmi_picker* picker, const dmi_ob
     return result;
 }
 
-void dmi_object_renumber(dmi_object* object, const uint32_t* number, void* scratch) {
+dm_result dmi_object_reorder_parts(dmi_env* env, const dmi_object* object, const uint32_t* number,
+                                   dmi_object** out_object) {
     const uint32_t count = object->part_count;
-    dmi_object_part* old = scratch;
-    uint32_t* place = (uint32_t*)(old + count); /* index before -> index now */
+    const size_t size = count * (sizeof(uint32_t) + 1);
+    uint32_t* place = dmi_alloc(env, size, _Alignof(uint32_t)); /* index before -> index now */
+    if (place == NULL) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for %u parts", count);
+    uint8_t* keep = (uint8_t*)(place + count);
+    memset(keep, 1, count);
     place[0] = 0;
     for (uint32_t i = 1; i < count; i++) place[i] = number[i - 1] + 1;
-    memcpy(old, object->parts, count * sizeof *old);
-    for (uint32_t i = 1; i < count; i++) {
-        dmi_object_part* part = &object->parts[place[i]];
-        *part = old[i];
-        part->shape.id = place[i];
-        part->shape.parent = place[old[i].shape.parent];
-        object->mesh->parts[place[i]] = part->shape;
-    }
-    for (uint32_t f = 0; f < object->mesh->face_count; f++)
-        object->mesh->face_part[f] = place[object->mesh->face_part[f]];
+    const dm_result result = select_numbered(env, NULL, object, keep, place, count, true, out_object);
+    for (uint32_t i = 1; i < count && result == DM_OK; i++) (*out_object)->parts[i].shape.id = i;
+    dmi_free(env, place, size);
+    return result;
 }

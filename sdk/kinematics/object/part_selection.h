@@ -10,10 +10,9 @@
 dm_result dmi_object_select_parts(dmi_env* env, dmi_picker* picker, const dmi_object* object, const uint8_t* keep,
                                   bool keep_triangles, dmi_object** out_object);
 
-/* Bytes that dmi_object_renumber needs for an object of `count` parts besides its body. */
-#define DMI_RENUMBER_SCRATCH(count) (((size_t)(count) + 1) * (sizeof(dmi_object_part) + sizeof(uint32_t)))
-
-/* Gives part i + 1 the index, and the id, number[i] + 1: `number` is a permutation. The object keeps its mesh. */
-void dmi_object_renumber(dmi_object* object, const uint32_t* number, void* scratch);
+/* Copies an object with its parts in another order, its triangles included, without trees. number[i]: the new index,
+ * from 0, of part i + 1. Ids become the indices of the parts. */
+dm_result dmi_object_reorder_parts(dmi_env* env, const dmi_object* object, const uint32_t* number,
+                                   dmi_object** out_object);
 
 #endif
