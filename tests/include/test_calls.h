@@ -7,6 +7,7 @@
 
 #include <cjson/cJSON.h>
 
+#include "dragmesh/ext/gltf_rig.h"
 #include "test_stage.h"
 
 typedef struct test_call {
@@ -576,6 +577,11 @@ static inline dm_result test_call_gltf_mark_faces(test_stage* s) {
     return dm_gltf_mark_faces(s->gltf, &door, 1, 1, s->out.faces, 4);
 }
 
+static inline dm_result test_call_gltf_get_pivot_kind(test_stage* s) {
+    int32_t kind;
+    return dm_gltf_get_pivot_kind(s->gltf, "door", &kind);
+}
+
 static inline dm_result test_call_gltf_get_hints(test_stage* s) {
     return dm_gltf_get_hints(s->gltf, "door", s->out.label, sizeof s->out.label, &s->out.pivot);
 }
@@ -587,6 +593,51 @@ static inline dm_result test_call_gltf_get_asset(test_stage* s) {
 
 static inline dm_result test_call_gltf_get_asset_node(test_stage* s) {
     return dm_gltf_get_asset_node(s->spare_bytes, 0, &s->out.count);
+}
+
+/* ---- rigged assets as files ---- */
+
+/* A body of which nothing moves. */
+static inline dm_result test_make_rig(test_stage* s, dm_gltf_rig** out_rig) {
+    dm_mesh_desc mesh = s->mesh;
+    mesh.part_ids = NULL, mesh.part_id_bytes = 0;
+    dm_asset_node node = dm_asset_node_default();
+    node.parent = DM_ASSET_NO_NODE, node.name = "body", node.mesh = &mesh;
+    const uint32_t part = DM_ASSET_NO_PART;
+    const dm_gltf_rig_desc desc = {.struct_size = sizeof desc,
+                                   .formats = DM_GLTF_RIG_URDF,
+                                   .nodes = &node,
+                                   .node_count = 1,
+                                   .node_parts = &part,
+                                   .allocator = test_stage_gltf_desc(s).allocator};
+    return dm_gltf_rig_make(&desc, out_rig);
+}
+
+static inline void test_before_rig(test_stage* s) {
+    assert_int_equal(test_make_rig(s, (dm_gltf_rig**)&s->spare_bytes), DM_OK);
+}
+
+static inline void test_after_rig(test_stage* s) {
+    dm_gltf_rig_destroy(s->spare_bytes);
+}
+
+static inline dm_result test_call_gltf_rig_make(test_stage* s) {
+    return test_make_rig(s, (dm_gltf_rig**)&s->spare_bytes);
+}
+
+static inline dm_result test_call_gltf_rig_destroy(test_stage* s) {
+    dm_gltf_rig_destroy(s->spare_bytes);
+    return DM_OK;
+}
+
+static inline dm_result test_call_gltf_rig_file_count(test_stage* s) {
+    s->out.count = dm_gltf_rig_file_count(s->spare_bytes);
+    return DM_OK;
+}
+
+static inline dm_result test_call_gltf_rig_get_file(test_stage* s) {
+    dm_gltf_rig_file file;
+    return dm_gltf_rig_get_file(s->spare_bytes, 0, &file);
 }
 
 static inline dm_result test_call_gltf_left_out(test_stage* s) {
@@ -745,6 +796,7 @@ static const test_call test_calls[] = {
      test_after_gltf},
     {"dm_gltf_mark_faces", NULL, NULL, test_call_gltf_mark_faces, NULL, NULL},
     {"dm_gltf_get_hints", NULL, NULL, test_call_gltf_get_hints, NULL, NULL},
+    {"dm_gltf_get_pivot_kind", NULL, NULL, test_call_gltf_get_pivot_kind, NULL, NULL},
     {"dm_gltf_get_asset", NULL, test_before_gltf, test_call_gltf_get_asset, NULL, test_after_gltf},
     {"dm_gltf_get_asset_node", NULL, test_before_gltf, test_call_gltf_get_asset_node, NULL, test_after_gltf},
     {"dm_gltf_left_out", NULL, NULL, test_call_gltf_left_out, NULL, NULL},
@@ -755,6 +807,10 @@ static const test_call test_calls[] = {
      test_after_gltf},
     {"dm_gltf_write", NULL, NULL, test_call_gltf_write, test_after_gltf_write, NULL},
     {"dm_gltf_version", NULL, NULL, test_call_gltf_version, NULL, NULL},
+    {"dm_gltf_rig_make", NULL, NULL, test_call_gltf_rig_make, test_after_rig, NULL},
+    {"dm_gltf_rig_destroy", NULL, test_before_rig, test_call_gltf_rig_destroy, NULL, NULL},
+    {"dm_gltf_rig_file_count", NULL, test_before_rig, test_call_gltf_rig_file_count, NULL, test_after_rig},
+    {"dm_gltf_rig_get_file", NULL, test_before_rig, test_call_gltf_rig_get_file, NULL, test_after_rig},
     {"dm_gltf_mend_text", NULL, NULL, test_call_gltf_mend_text, NULL, NULL},
 };
 enum { TEST_CALLS = sizeof test_calls / sizeof *test_calls };

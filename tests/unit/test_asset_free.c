@@ -87,13 +87,18 @@ static dm_asset create(test_asset* t) {
     return asset;
 }
 
+static uint32_t part_of_top(test_asset* t, dm_asset asset) {
+    uint32_t parts[NODES];
+    assert_int_equal(dm_asset_get_node_parts(t->w.context, asset, parts, NODES), DM_OK);
+    return parts[TOP];
+}
+
 /* How the top is answered; -1: it is no part. */
 static int32_t state_of_top(test_asset* t, dm_asset asset) {
-    uint32_t parts[NODES];
+    const uint32_t index = part_of_top(t, asset);
     dm_asset_part part = dm_asset_part_default();
-    assert_int_equal(dm_asset_get_node_parts(t->w.context, asset, parts, NODES), DM_OK);
-    if (parts[TOP] == DM_ASSET_NO_PART) return -1;
-    assert_int_equal(dm_asset_get_part(t->w.context, asset, parts[TOP], &part), DM_OK);
+    if (index == DM_ASSET_NO_PART) return -1;
+    assert_int_equal(dm_asset_get_part(t->w.context, asset, index, &part), DM_OK);
     return part.state;
 }
 
@@ -114,13 +119,15 @@ static void test_a_pots_lid_is_free(void** state) {
     dm_joint joint = dm_joint_default(), others[DM_MAX_HYPOTHESES];
     dm_object object;
     uint32_t count;
-    assert_int_equal(dm_asset_get_joint(t->w.context, asset, 0, &joint), DM_OK);
+    const uint32_t top = part_of_top(t, asset);
+    assert_int_equal(dm_asset_get_joint(t->w.context, asset, top, &joint), DM_OK);
     assert_int_equal(joint.type, DM_JOINT_PRISMATIC);
     assert_true(joint.axis.y > 0.999f && joint.lower == 0 && fabsf(joint.upper - 0.175f) < 1e-3f);
     assert_true(joint.joint_confidence <= 0.5f && joint.type_confidence <= 0.5f);
     assert_int_equal(dm_asset_make_object(t->w.context, asset, &object), DM_OK);
     for (uint32_t i = 0; i < DM_MAX_HYPOTHESES; i++) others[i] = dm_joint_default();
-    assert_int_equal(dm_object_get_hypotheses(t->w.context, object, 1, NULL, others, DM_MAX_HYPOTHESES, &count), DM_OK);
+    assert_int_equal(dm_object_get_hypotheses(t->w.context, object, top + 1, NULL, others, DM_MAX_HYPOTHESES, &count),
+                     DM_OK);
     assert_memory_equal(&others[0], &joint, sizeof joint);
     for (uint32_t i = 1; i < count; i++) {
         assert_true(others[i].joint_confidence <= others[i - 1].joint_confidence);

@@ -154,6 +154,7 @@ static void release_needs_no_memory(void** state) {
     dm_release_plan plan = {.struct_size = sizeof plan};
     assert_int_equal(dm_object_set_joint(w.context, object, TEST_DOOR, &hinge), DM_OK);
     const dm_drag drag = swing(&w, object, 0, 1.4f, &now);
+    assert_int_equal(dm_context_trim(w.context), DM_OK);
     w.memory.fail_at = w.memory.calls;
     assert_int_equal(dm_drag_release(w.context, drag, NULL, &plan), DM_OK);
     assert_int_equal(plan.from_network, 0);
