@@ -202,9 +202,8 @@ static dm_result infer_joints(making* work) {
 static dm_result order_bodies(making* work) {
     const uint32_t count = work->bodies.count;
     uint32_t *number = NULL, *given_node = dmi_arena_push(&work->arena, count * sizeof *given_node);
-    if (given_node == NULL ||
-        dmi_asset_bodies_order(&work->arena, &work->bodies, work->desc->node_count, work->desc->min_moves, &number) !=
-            DM_OK)
+    if (given_node == NULL || dmi_asset_bodies_order(&work->arena, &work->bodies, work->desc->node_count,
+                                                     work->desc->min_moves, &number) != DM_OK)
         return out_of_memory(work->env, work->desc->node_count);
     for (uint32_t i = 0; i < count; i++) given_node[number[i]] = work->given_node[i];
     work->given_node = given_node;

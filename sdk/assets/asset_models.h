@@ -10,9 +10,10 @@
 
 typedef struct dmi_asset_models {
     dmi_arena arena;
-    dmi_tree_ensemble pairs;   /* DMI_PAIR_FEATURES -> both nodes are of one body */
-    dmi_tree_ensemble sets;    /* DMI_SET_FEATURES -> the set is a body that moves */
-    /* those and DMI_CONTEXT_FEATURES -> the same, in view of how the asset's other sets were rated in the round before */
+    dmi_tree_ensemble pairs; /* DMI_PAIR_FEATURES -> both nodes are of one body */
+    dmi_tree_ensemble sets;  /* DMI_SET_FEATURES -> the set is a body that moves */
+    /* those and DMI_CONTEXT_FEATURES -> the same, in view of how the asset's other sets were rated in the round before
+     */
     dmi_tree_ensemble context[DMI_CONTEXT_ROUNDS];
 } dmi_asset_models;
 

@@ -9,7 +9,7 @@
 #define LIKELY 0.35f /* probabilities that are counted, and those of better sets; by hand */
 #define SURE 0.6f
 #define WORTH 0.25f /* as EVEN of asset_grouping.c */
-#define TINY 1e-6f /* no probability is divided by less */
+#define TINY 1e-6f  /* no probability is divided by less */
 
 /* Relations in the tree, one number a set. */
 typedef struct relations {
@@ -18,7 +18,7 @@ typedef struct relations {
     float* around;    /* of those that it is in */
     float *twin_sum, *twin_count;
     float* cells;
-    uint32_t *best_inside, *best_around; /* sets of those probabilities; UINT32_MAX: none */
+    uint32_t *best_inside, *best_around;               /* sets of those probabilities; UINT32_MAX: none */
     float *inside_cells, *inside_count, *inside_worth; /* of the best choice of sets in it */
 } relations;
 
@@ -41,8 +41,8 @@ static void add_child(relations* r, const float* moves, uint32_t s, uint32_t kid
 
 static dm_result open_relations(dmi_arena* arena, uint32_t count, relations* r) {
     uint32_t** const indices[] = {&r->parent, &r->best_inside, &r->best_around};
-    float** const numbers[] = {&r->inside, &r->around, &r->twin_sum, &r->twin_count, &r->cells, &r->inside_cells,
-                               &r->inside_count, &r->inside_worth};
+    float** const numbers[] = {&r->inside, &r->around,       &r->twin_sum,     &r->twin_count,
+                               &r->cells,  &r->inside_cells, &r->inside_count, &r->inside_worth};
     for (size_t i = 0; i < sizeof indices / sizeof *indices; i++) {
         *indices[i] = dmi_arena_push(arena, (count + (size_t)1) * sizeof **indices[i]);
         if (*indices[i] == NULL) return DM_ERROR_OUT_OF_MEMORY;
@@ -115,12 +115,23 @@ dm_result dmi_set_context_make(dmi_arena* arena, const dmi_merge_tree* tree, con
         const uint32_t in = r.best_inside[s], out_of = r.best_around[s];
         const float own = r.cells[s] + TINY;
         const float twins = r.twin_sum[links[s].twin] / r.twin_count[links[s].twin];
-        const float row[DMI_CONTEXT_FEATURES] = {
-            moves[s], best,        sum,         likely, sure,
-            better,   r.inside[s], r.around[s], twins,  moves[s] / (dmi_fmaxf(best, moves[s]) + TINY),
-            r.inside_cells[s] / own, r.inside_count[s], r.inside_worth[s], in != UINT32_MAX ? r.cells[in] / own : 0,
-            out_of != UINT32_MAX ? own / r.cells[out_of] : 0, r.parent[s] != UINT32_MAX ? moves[r.parent[s]] : 0,
-            moving / (all + TINY)};
+        const float row[DMI_CONTEXT_FEATURES] = {moves[s],
+                                                 best,
+                                                 sum,
+                                                 likely,
+                                                 sure,
+                                                 better,
+                                                 r.inside[s],
+                                                 r.around[s],
+                                                 twins,
+                                                 moves[s] / (dmi_fmaxf(best, moves[s]) + TINY),
+                                                 r.inside_cells[s] / own,
+                                                 r.inside_count[s],
+                                                 r.inside_worth[s],
+                                                 in != UINT32_MAX ? r.cells[in] / own : 0,
+                                                 out_of != UINT32_MAX ? own / r.cells[out_of] : 0,
+                                                 r.parent[s] != UINT32_MAX ? moves[r.parent[s]] : 0,
+                                                 moving / (all + TINY)};
         memcpy(out[s], row, sizeof row);
     }
     return DM_OK;

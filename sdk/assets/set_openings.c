@@ -7,12 +7,12 @@
 #include "math/linear3.h"
 
 /* All set by hand. */
-#define LITTLE 0.25f /* rad */
-#define MUCH 0.9f    /* rad */
-#define MOST_GAP 0.03f   /* object sizes; what is farther apart counts as this */
+#define LITTLE 0.25f      /* rad */
+#define MUCH 0.9f         /* rad */
+#define MOST_GAP 0.03f    /* object sizes; what is farther apart counts as this */
 #define LEAST_GAP 0.0002f /* object sizes; rounding of coordinates stays below */
-#define FEWEST 3     /* points that touch the rest, of which a line is taken */
-#define TINY 1e-6f   /* lengths and counts that are divided by are at least this */
+#define FEWEST 3          /* points that touch the rest, of which a line is taken */
+#define TINY 1e-6f        /* lengths and counts that are divided by are at least this */
 
 /* ---- the line along which the set touches the rest ---- */
 

@@ -34,8 +34,8 @@ static dm_result rate_in_context(dmi_arena* arena, const dmi_merge_tree* tree, c
     return result;
 }
 
-dm_result dmi_set_ratings_make(dmi_arena* arena, const dmi_merge_tree* tree, const dmi_asset_models* models,
-                               int rounds, const dmi_progress* progress, dmi_set_ratings* out) {
+dm_result dmi_set_ratings_make(dmi_arena* arena, const dmi_merge_tree* tree, const dmi_asset_models* models, int rounds,
+                               const dmi_progress* progress, dmi_set_ratings* out) {
     const size_t count = tree->set_count;
     dmi_set_links* links = dmi_arena_push(arena, (count + 1) * sizeof *links);
     out->features = dmi_arena_push(arena, (count + 1) * sizeof *out->features);

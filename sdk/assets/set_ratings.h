@@ -13,7 +13,7 @@ typedef struct dmi_set_ratings {
 
 /* rounds: how many times the sets are rated in view of each other, up to DMI_CONTEXT_ROUNDS. All memory comes from the
  * arena. */
-dm_result dmi_set_ratings_make(dmi_arena* arena, const dmi_merge_tree* tree, const dmi_asset_models* models,
-                               int rounds, const dmi_progress* progress, dmi_set_ratings* out);
+dm_result dmi_set_ratings_make(dmi_arena* arena, const dmi_merge_tree* tree, const dmi_asset_models* models, int rounds,
+                               const dmi_progress* progress, dmi_set_ratings* out);
 
 #endif

@@ -11,7 +11,7 @@
 #include "math/vec3.h"
 #include "motion/dq_vae_net.h"
 
-#define BLOCK_SIZE ((size_t)256 * 1024)       /* bytes of an arena block; by hand */
+#define BLOCK_SIZE ((size_t)256 * 1024)      /* bytes of an arena block; by hand */
 #define STEP_POINTS (2 * DMI_VAE_NEIGHBOURS) /* points encoded by one matrix product */
 #define MAX_LOG_VARIANCE 4.0f                /* bounds of the latent's log variance, as trained (docs/networks.md) */
 #define MIN_LOG_VARIANCE (-8.0f)

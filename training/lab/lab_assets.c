@@ -239,8 +239,8 @@ dm_result dm_lab_asset_pairs(const dm_lab_options* options, const dm_lab_asset_r
     return write_batch(&env, options, NULL, 0, &rows);
 }
 
-dm_result dm_lab_asset_sets(const dm_lab_options* options, const void* weights, size_t weights_size,
-                            uint32_t rounds, const dm_lab_asset_rows* out) {
+dm_result dm_lab_asset_sets(const dm_lab_options* options, const void* weights, size_t weights_size, uint32_t rounds,
+                            const dm_lab_asset_rows* out) {
     dmi_env env;
     dmi_env_init(&env, NULL, NULL, NULL);
     dmi_asset_models models;

@@ -1004,8 +1004,8 @@ DM_API dm_result DM_CALL dm_object_prepare(dm_context* context, const dm_object_
 DM_API dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* buffer, size_t capacity,
                                         size_t* out_size);
 
-/* Reads what dm_object_save wrote, by this or any earlier version. `model` (may be 0) serves its motions. The file's own
- * trees are taken where desc.picking of the context is DM_PICK_AUTO or DM_PICK_PORTABLE (dm_object_info.picking).
+/* Reads what dm_object_save wrote, by this or any earlier version. `model` (may be 0) serves its motions. The file's
+ * own trees are taken where desc.picking of the context is DM_PICK_AUTO or DM_PICK_PORTABLE (dm_object_info.picking).
  * Errors: BAD_DATA, VERSION, CANCELLED. [any-thread] */
 DM_API dm_result DM_CALL dm_object_load(dm_context* context, const void* data, size_t size, dm_model model,
                                         dm_object* out_object);

@@ -22,11 +22,11 @@
 #define LOCAL_LAYERS 2
 #define MAX_LAYERS GLOBAL_LAYERS
 
-#define SNAP_DIRECTIONS 6               /* axes of the part's and the body's frames: the first of the shape features */
-#define SNAP_COSINE 0.9397f             /* of the angle within which an axis is snapped (20 degrees); by hand */
+#define SNAP_DIRECTIONS 6                /* axes of the part's and the body's frames: the first of the shape features */
+#define SNAP_COSINE 0.9397f              /* of the angle within which an axis is snapped (20 degrees); by hand */
 #define ARENA_BLOCK ((size_t)256 * 1024) /* bytes; by hand */
-#define MAX_NAME 64                     /* of a tensor, with the terminating zero */
-#define ALIGNMENT 64                    /* bytes, a cache line: what the kernels expect */
+#define MAX_NAME 64                      /* of a tensor, with the terminating zero */
+#define ALIGNMENT 64                     /* bytes, a cache line: what the kernels expect */
 
 #define STEP_GROUPS 4 /* whose points pass the point MLP together: they fit a level 1 cache; by hand */
 #define STEP_POINTS (STEP_GROUPS * DMI_KPP_GROUP)

@@ -208,9 +208,8 @@ static uint32_t list_sections(const saved* from, bool out_present[DMI_DMO_SECTIO
 
 static void write_all(dmi_dmo_writer* w, const saved* from) {
     static void (*const writers[DMI_DMO_SECTIONS])(dmi_dmo_writer*, const saved*) = {
-        write_object,      write_parts,       write_joints,   write_points,    write_alternatives,
-        write_free_ranges, write_host_joints, write_degraded, write_triangles, write_closed,
-        write_trees};
+        write_object,      write_parts,    write_joints,    write_points, write_alternatives, write_free_ranges,
+        write_host_joints, write_degraded, write_triangles, write_closed, write_trees};
     bool present[DMI_DMO_SECTIONS];
     const uint32_t count = list_sections(from, present);
     dmi_dmo_writer table = {w->out, DMI_DMO_HEADER_SIZE};

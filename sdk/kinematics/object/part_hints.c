@@ -133,8 +133,8 @@ static dm_result read_part(dmi_env* env, dmi_object* object, const dm_part_desc*
     return result;
 }
 
-dm_result dmi_object_read_hints(dmi_env* env, const dmi_mesh* mesh, dmi_object* object,
-                                const dmi_object_labels* labels, const dm_part_desc* parts, uint32_t count) {
+dm_result dmi_object_read_hints(dmi_env* env, const dmi_mesh* mesh, dmi_object* object, const dmi_object_labels* labels,
+                                const dm_part_desc* parts, uint32_t count) {
     dmi_asset_hints common = {.label = {.kind = DMI_KIND_NOTHING}};
     dm_result result = check_label(env, "desc.label", labels->label);
     if (result == DM_OK) result = read_up(env, object, labels->up, common.up);

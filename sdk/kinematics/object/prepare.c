@@ -203,7 +203,8 @@ static dm_result ask_type(dmi_env* env, const dmi_prepare_desc* desc, const dmi_
 static dm_result make_requests(preparation* work) {
     const dmi_prepare_desc* desc = work->desc;
     dmi_object* object = work->object;
-    dm_result result = dmi_object_read_hints(work->env, work->mesh, object, &desc->labels, desc->parts, desc->part_count);
+    dm_result result =
+        dmi_object_read_hints(work->env, work->mesh, object, &desc->labels, desc->parts, desc->part_count);
     if (result != DM_OK) return result;
     for (uint32_t i = 0; desc->parts != NULL && i < desc->part_count; i++) {
         const dm_part_desc* given = &desc->parts[i];

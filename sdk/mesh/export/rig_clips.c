@@ -7,8 +7,8 @@
 #include "math/elementary.h"
 #include "math/joint.h"
 
-enum { KEYS = 41 };                    /* key frames there and back; by hand */
-enum { VALUES = 255 };                 /* part ids that one array of bytes tells apart */
+enum { KEYS = 41 };    /* key frames there and back; by hand */
+enum { VALUES = 255 }; /* part ids that one array of bytes tells apart */
 #define NO_TRACK UINT32_MAX
 static const float seconds_open = 2;   /* duration of the opening, s; by hand */
 static const float rest_share = 0.05f; /* of the range: an end this near to rest is where the part rests; by hand */

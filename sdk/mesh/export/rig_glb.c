@@ -8,8 +8,9 @@
  *   <carrier>              the track of the part that carries it, or a node that stays
  *   └ <joint>_seat         the same place on the carrier
  *
- * What a clip of the file moves, with all that it carries, is left to that clip: its node gets the joint in `extras`, and
- * no body. The limits tell how the seat stands in the frame of the joint's node, which moves: the other way round. */
+ * What a clip of the file moves, with all that it carries, is left to that clip: its node gets the joint in `extras`,
+ * and no body. The limits tell how the seat stands in the frame of the joint's node, which moves: the other way round.
+ */
 #include "mesh/export/rig_glb.h"
 
 #include <stdio.h>
@@ -301,8 +302,7 @@ static dm_result find_tracks(writer* w) {
         const dmi_rig_body* body = &w->model->bodies[b];
         const int32_t node = dmi_rig_is_left_to_clip(w->model, b) ? find_clip_node(w, body->part) : find_track(w, body);
         if (node < 0)
-            return dmi_fail(w->model->env, DM_ERROR_NOT_FOUND, "dm_gltf_rig_make: the GLB has lost %s",
-                            body->name);
+            return dmi_fail(w->model->env, DM_ERROR_NOT_FOUND, "dm_gltf_rig_make: the GLB has lost %s", body->name);
         if (w->edit.problem.code == DM_OK)
             w->tracks[b] = (dmi_edit_item){w->edit.document.items[DMI_GLTF_NODES][node], node};
     }
