@@ -9,6 +9,7 @@
 #include "assets/asset_grouping.h"
 #include "assets/asset_weights.h"
 #include "assets/node_cells.h"
+#include "assets/set_openings.h"
 #include "mesh/mesh.h"
 #include "test_shapes.h"
 
@@ -88,6 +89,86 @@ static dm_result group(scene* s) {
 
 static uint32_t body_of(const scene* s, uint32_t node) {
     return s->bodies.body_of_node[node];
+}
+
+/* ---- what is measured ---- */
+
+/* Measures what the set of one node would open. */
+static void measure_opening(scene* s, uint32_t node, float row[DMI_OPENING_FEATURES]) {
+    assert_int_equal(group(s), DM_OK);
+    uint32_t of_part[MOST_NODES + 1];
+    dmi_node_cells cells;
+    dmi_node_labels labels;
+    dmi_asset_facts facts;
+    dmi_node_set set;
+    dmi_set_way ways[DMI_GRID_SIDES];
+    for (uint32_t p = 0; p < s->mesh->part_count; p++) of_part[p] = p == 0 ? UINT32_MAX : p - 1;
+    assert_int_equal(dmi_node_labels_make(&s->arena, s->nodes, s->count, s->order, s->count, false, &labels), DM_OK);
+    assert_int_equal(dmi_node_cells_make(&s->arena, s->mesh, of_part, s->count, NULL, &cells), DM_OK);
+    assert_int_equal(dmi_asset_facts_make(&s->arena, &cells, &labels, &facts), DM_OK);
+    assert_int_equal(dmi_node_set_make(&s->arena, &cells, &node, 1, UINT32_MAX, &set), DM_OK);
+    dmi_measure_ways(&set, UINT32_MAX, cells.exposed[node], ways);
+    dmi_row r = {row, 0};
+    dmi_put_openings(&r, &set, &facts, ways, &node);
+    assert_int_equal(r.count, DMI_OPENING_FEATURES);
+}
+
+/* A chest 1 wide whose lid lies `gap` above it, a knob on top. Returns the lid. */
+static uint32_t add_chest(scene* s, float gap) {
+    const float low = 0.5f + gap;
+    add_box(s, "", (const float[]){0, 0, 0}, (const float[]){0.02f, 0.5f, 1});
+    add_box(s, "", (const float[]){0.98f, 0, 0}, (const float[]){1, 0.5f, 1});
+    add_box(s, "", (const float[]){0.02f, 0, 0}, (const float[]){0.98f, 0.02f, 1});
+    const uint32_t lid = add_box(s, "", (const float[]){0, low, 0}, (const float[]){1, low + 0.05f, 1});
+    add_box(s, "", (const float[]){0.48f, low + 0.05f, 0.48f}, (const float[]){0.52f, low + 0.09f, 0.52f});
+    return lid;
+}
+
+static void a_lid_has_clearance(void** state) {
+    (void)state;
+    float apart[DMI_OPENING_FEATURES], flush[DMI_OPENING_FEATURES];
+    scene* s = open_scene();
+    measure_opening(s, add_chest(s, 0.004f), apart);
+    close_scene(s);
+    s = open_scene();
+    measure_opening(s, add_chest(s, 0), flush);
+    close_scene(s);
+    assert_true(fabsf(apart[DMI_OPENING_CLEARANCE] - 0.004f) < 0.002f);
+    assert_true(apart[DMI_OPENING_CLEARANCE + 2] > 0.5f && flush[DMI_OPENING_CLEARANCE + 2] == 0);
+    assert_true(flush[DMI_OPENING_DEPENDANTS] == 1); /* the knob */
+}
+
+/* A drawer leaves the object to the front, and behind it is its carcass. */
+static void a_drawer_has_room_ahead(void** state) {
+    (void)state;
+    float row[DMI_OPENING_FEATURES];
+    scene* s = open_scene();
+    add_box(s, "", (const float[]){0, 0, 0}, (const float[]){0.02f, 0.3f, 1});
+    add_box(s, "", (const float[]){0.98f, 0, 0}, (const float[]){1, 0.3f, 1});
+    add_box(s, "", (const float[]){0.02f, 0, 0}, (const float[]){0.98f, 0.02f, 1});
+    add_box(s, "", (const float[]){0.02f, 0.28f, 0}, (const float[]){0.98f, 0.3f, 1});
+    add_box(s, "", (const float[]){0.02f, 0.02f, 0}, (const float[]){0.98f, 0.28f, 0.02f});
+    const uint32_t drawer = add_box(s, "", (const float[]){0.03f, 0.03f, 0.3f}, (const float[]){0.97f, 0.27f, 1});
+    measure_opening(s, drawer, row);
+    const float* way = row + DMI_OPENING_WAYS;
+    assert_true(way[0] > 0.99f && way[2] < 0.1f); /* ahead all of it leaves; behind, it meets the back … */
+    assert_true(way[3] > 0.28f && way[3] < 1);    /* … which is as far from it as its own depth, or less */
+    assert_true(way[4] > 0.7f && way[4] < 1 && way[5] < 0.01f); /* it covers most of the front, and is level with it */
+    close_scene(s);
+}
+
+/* A leaf beside one post hangs on a line, about which it turns freely. */
+static void a_leaf_hangs_on_its_post(void** state) {
+    (void)state;
+    float row[DMI_OPENING_FEATURES];
+    scene* s = open_scene();
+    add_box(s, "", (const float[]){0, 0, 0}, (const float[]){0.05f, 2, 0.05f});
+    const uint32_t leaf = add_box(s, "", (const float[]){0.052f, 0, 0.01f}, (const float[]){1, 2, 0.04f});
+    measure_opening(s, leaf, row);
+    assert_true(row[DMI_OPENING_HANG] < 0.1f && row[DMI_OPENING_HANG + 1] > 0.2f);
+    for (int turn = 2; turn < 6; turn++) assert_true(row[DMI_OPENING_HANG + turn] < 0.06f);
+    assert_true(fabsf(row[DMI_OPENING_HANG + 6] - 0.25f) < 0.05f); /* half its width, by its height */
+    close_scene(s);
 }
 
 /* ---- what is found ---- */
@@ -281,11 +362,19 @@ static void failing_memory_leaves_nothing(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nodes_of_a_door_are_one_body),      cmocka_unit_test(a_single_node_stays),
-        cmocka_unit_test(given_nodes_are_one_body),          cmocka_unit_test(a_unit_is_as_large_as_all_its_nodes),
-        cmocka_unit_test(fixed_nodes_go_with_what_is_above), cmocka_unit_test(a_group_is_of_the_body_below_it),
-        cmocka_unit_test(a_part_on_a_part_is_carried_by_it), cmocka_unit_test(panels_hang_on_each_other),
-        cmocka_unit_test(the_order_of_faces_does_not_count), cmocka_unit_test(failing_memory_leaves_nothing),
+        cmocka_unit_test(a_lid_has_clearance),
+        cmocka_unit_test(a_drawer_has_room_ahead),
+        cmocka_unit_test(a_leaf_hangs_on_its_post),
+        cmocka_unit_test(nodes_of_a_door_are_one_body),
+        cmocka_unit_test(a_single_node_stays),
+        cmocka_unit_test(given_nodes_are_one_body),
+        cmocka_unit_test(a_unit_is_as_large_as_all_its_nodes),
+        cmocka_unit_test(fixed_nodes_go_with_what_is_above),
+        cmocka_unit_test(a_group_is_of_the_body_below_it),
+        cmocka_unit_test(a_part_on_a_part_is_carried_by_it),
+        cmocka_unit_test(panels_hang_on_each_other),
+        cmocka_unit_test(the_order_of_faces_does_not_count),
+        cmocka_unit_test(failing_memory_leaves_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
