@@ -1,6 +1,10 @@
 // check_sdf FILE.glb FOLDER [FILE.glb FOLDER …] — loads rigged.sdf of each folder by libsdformat, which resolves its
 // poses and axes, and compares where all corners of all triangles are at half of each joint's range with what rig.json
 // says. Prints a line an asset, and exits with 1 where one did not load or is off by more than 1e-4 of its size.
+#if defined __GNUC__ && !defined __clang__
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized" /* gcc 12 with -fsanitize=address says so of std::regex */
+#endif
+
 #include <cmath>
 #include <cstdio>
 #include <fstream>
