@@ -309,9 +309,9 @@ static dm_result read_triangles(loading* load, bool wide) {
         r->left != vertices * DMI_DMO_VERTEX_SIZE + faces * DMI_DMO_TRIANGLE_SIZE) {
         return bad(load, "section TRI has the wrong size");
     }
-    const arrays room = {.positions = dmi_scratch_alloc(load->env, vertices * 3 * sizeof(float)),
-                         .indices = dmi_scratch_alloc(load->env, faces * 3 * sizeof(uint32_t)),
-                         .face_part = dmi_scratch_alloc(load->env, faces * sizeof(uint32_t))};
+    const arrays room = {.positions = dmi_scratch_alloc(load->env, (size_t)vertices * 3 * sizeof(float)),
+                         .indices = dmi_scratch_alloc(load->env, (size_t)faces * 3 * sizeof(uint32_t)),
+                         .face_part = dmi_scratch_alloc(load->env, (size_t)faces * sizeof(uint32_t))};
     const dm_result result = room.positions != NULL && room.indices != NULL && room.face_part != NULL
                                  ? pack_triangles(load, (uint32_t)vertices, (uint32_t)faces, wide, &room)
                                  : out_of_memory(load);
@@ -349,7 +349,7 @@ static bool read_tree_sizes(loading* load, dmi_tree_shape* shapes) {
 static dm_result make_trees(loading* load, dmi_picker* picker, const dmi_progress* progress, dmi_tree_shape* shapes,
                             uint32_t* numbers) {
     dmi_dmo_reader* r = &load->sections[DMI_DMO_TREES];
-    dmi_get_words(r, numbers, r->left / sizeof *numbers);
+    dmi_get_words(r, numbers, (size_t)r->left / sizeof *numbers);
     for (uint32_t p = 0; p < load->object->part_count; p++) {
         shapes[p].child = numbers;
         numbers += (size_t)shapes[p].node_count * DMI_DMO_NODE_NUMBERS;
@@ -366,7 +366,7 @@ static dm_result read_trees(loading* load, dmi_picker* picker, const dmi_progres
     if (shapes == NULL) return out_of_memory(load);
     dm_result result = DM_OK;
     if (!read_tree_sizes(load, shapes)) result = bad(load, "section TREE has the wrong size");
-    uint32_t* numbers = result == DM_OK ? dmi_scratch_alloc(env, load->sections[DMI_DMO_TREES].left) : NULL;
+    uint32_t* numbers = result == DM_OK ? dmi_scratch_alloc(env, (size_t)load->sections[DMI_DMO_TREES].left) : NULL;
     if (numbers != NULL)
         result = make_trees(load, picker, progress, shapes, numbers);
     else if (result == DM_OK)
