@@ -315,11 +315,12 @@ static int32_t limit_at(const dm_joint* joint, float value) {
 
 /* The limits count as they were found: a pull beyond them moves them along. */
 static float open_share(const dmi_drag* drag) {
-    dm_joint joint = drag->joint;
-    if (drag->limits_are_estimates) joint.lower = drag->estimated_lower, joint.upper = drag->estimated_upper;
-    if (!dmi_joint_has_limits(&joint)) return 0;
-    const float closed = dmi_joint_closed(&joint), way = dmi_joint_opened(&joint) - closed;
-    return dmi_clamp((drag->value - closed) / way, 0, 1);
+    const float lower = drag->limits_are_estimates ? drag->estimated_lower : drag->joint.lower;
+    const float upper = drag->limits_are_estimates ? drag->estimated_upper : drag->joint.upper;
+    if (drag->joint.type == DM_JOINT_CONTINUOUS || !(lower < upper)) return 0;
+    const float closed = dmi_clamp(drag->joint.closed, lower, upper);
+    const float opened = upper - closed >= closed - lower ? upper : lower; /* as dmi_joint_opened */
+    return dmi_clamp((drag->value - closed) / (opened - closed), 0, 1);
 }
 
 void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state) {

@@ -276,9 +276,10 @@ static void edit_scene(writer* w) {
     w->tracks[0] = add_root(w);
     for (uint32_t b = 0; b < model->body_count; b++) {
         const dmi_rig_body* body = &model->bodies[b];
+        const bool moves_by_clip = dmi_rig_is_left_to_clip(model, b);
+        if (b > 0 && !moves_by_clip) add_motion(w, body, w->tracks[b]);
         if (b > 0) add_extras(w, body, w->tracks[b].json);
-        if (dmi_rig_is_left_to_clip(model, b)) continue;
-        if (b > 0) add_motion(w, body, w->tracks[b]);
+        if (moves_by_clip) continue;
         for (uint32_t i = 0; i < body->box_count; i++) add_box(w, b, i);
         if (b > 0 && body->kind != DMI_RIG_FREE) add_joint(w, b);
     }

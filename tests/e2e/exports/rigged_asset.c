@@ -37,19 +37,21 @@ static char* read_file(const char* folder, const char* name, size_t* out_size) {
 }
 
 static void read_part(const cJSON* json, const double origin[3], rigged_part* out) {
-    const char* type = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, "type"));
+    const cJSON* exact = cJSON_GetObjectItemCaseSensitive(json, "dragmesh_joint"); /* of screws and endless turns */
+    const cJSON* joint = exact != NULL ? exact : json;
+    const char* type = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(joint, "type"));
     const char* state = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, "state"));
-    const cJSON *axis = cJSON_GetObjectItemCaseSensitive(json, "axis"),
-                *at = cJSON_GetObjectItemCaseSensitive(json, "origin");
+    const cJSON *axis = cJSON_GetObjectItemCaseSensitive(joint, "axis"),
+                *at = cJSON_GetObjectItemCaseSensitive(joint, "origin");
     double given[2][3] = {{1, 0, 0}, {0, 0, 0}};
     for (int k = 0; k < 3; k++) {
         if (cJSON_GetArrayItem(axis, k)) given[0][k] = cJSON_GetArrayItem(axis, k)->valuedouble;
         if (cJSON_GetArrayItem(at, k)) given[1][k] = cJSON_GetArrayItem(at, k)->valuedouble - origin[k];
     }
     *out = (rigged_part){.parent = (int)number_of(json, "parent", -1),
-                         .lower = number_of(json, "lower", 0),
-                         .upper = number_of(json, "upper", 0),
-                         .pitch = number_of(json, "pitch", 0)};
+                         .lower = number_of(joint, "lower", 0),
+                         .upper = number_of(joint, "upper", 0),
+                         .pitch = number_of(joint, "pitch", 0)};
     snprintf(out->type, sizeof out->type, "%s", type != NULL ? type : "");
     out->moves = state != NULL && strcmp(state, "moves") == 0 && strcmp(out->type, "fixed") != 0;
     turn_up(given[0], out->axis);
