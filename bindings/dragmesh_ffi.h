@@ -39,9 +39,24 @@ enum {
     DM_ERROR_UNSUPPORTED = -20,
     DM_ERROR_INTERNAL = -21
 };
-enum { DM_LOG_ERROR = 0, DM_LOG_WARNING = 1, DM_LOG_INFO = 2 };
-enum { DM_AXES_GLTF = 0, DM_AXES_UNITY = 1, DM_AXES_UNREAL = 2, DM_AXES_BLENDER = 3, DM_AXES_CUSTOM = 4 };
-enum { DM_PICK_AUTO = 0, DM_PICK_EMBREE = 1, DM_PICK_PORTABLE = 2, DM_PICK_NONE = 3 };
+enum {
+    DM_LOG_ERROR = 0,
+    DM_LOG_WARNING = 1,
+    DM_LOG_INFO = 2
+};
+enum {
+    DM_AXES_GLTF = 0,
+    DM_AXES_UNITY = 1,
+    DM_AXES_UNREAL = 2,
+    DM_AXES_BLENDER = 3,
+    DM_AXES_CUSTOM = 4
+};
+enum {
+    DM_PICK_AUTO = 0,
+    DM_PICK_EMBREE = 1,
+    DM_PICK_PORTABLE = 2,
+    DM_PICK_NONE = 3
+};
 enum {
     DM_JOINT_UNKNOWN = 0,
     DM_JOINT_REVOLUTE = 1,
@@ -50,14 +65,43 @@ enum {
     DM_JOINT_CONTINUOUS = 4,
     DM_JOINT_FIXED = 5
 };
-enum { DM_FLOAT32 = 0, DM_FLOAT64 = 1 };
-enum { DM_UINT32 = 0, DM_UINT16 = 1, DM_UINT8 = 2, DM_INT32 = 3 };
-enum { DM_PER_VERTEX = 0, DM_PER_FACE = 1 };
-enum { DM_PIVOT_UNKNOWN = 0, DM_PIVOT_DEFAULT = 1, DM_PIVOT_SET = 2 };
-enum { DM_JOINT_FROM_NETWORK = 0, DM_JOINT_FROM_GEOMETRY = 1, DM_JOINT_FROM_HOST = 2, DM_JOINT_CHOSEN = 3 };
-enum { DM_LIMIT_LOWER = 1, DM_LIMIT_UPPER = 2 };
-enum { DM_CHOICE_KEEP = -1 };
-enum { DM_PREPARE_WITHOUT_PICKING = 1, DM_PREPARE_NETWORK_ALONE = 2, DM_PREPARE_MESH_INCOMPLETE = 4 };
+enum {
+    DM_FLOAT32 = 0,
+    DM_FLOAT64 = 1
+};
+enum {
+    DM_UINT32 = 0,
+    DM_UINT16 = 1,
+    DM_UINT8 = 2,
+    DM_INT32 = 3
+};
+enum {
+    DM_PER_VERTEX = 0,
+    DM_PER_FACE = 1
+};
+enum {
+    DM_PIVOT_UNKNOWN = 0,
+    DM_PIVOT_DEFAULT = 1,
+    DM_PIVOT_SET = 2
+};
+enum {
+    DM_JOINT_FROM_NETWORK = 0,
+    DM_JOINT_FROM_GEOMETRY = 1,
+    DM_JOINT_FROM_HOST = 2,
+    DM_JOINT_CHOSEN = 3
+};
+enum {
+    DM_LIMIT_LOWER = 1,
+    DM_LIMIT_UPPER = 2
+};
+enum {
+    DM_CHOICE_KEEP = -1
+};
+enum {
+    DM_PREPARE_WITHOUT_PICKING = 1,
+    DM_PREPARE_NETWORK_ALONE = 2,
+    DM_PREPARE_MESH_INCOMPLETE = 4
+};
 enum {
     DM_DEGRADED_NO_KINEMATICS = 1,
     DM_DEGRADED_NO_RANKER = 2,
@@ -66,19 +110,64 @@ enum {
     DM_DEGRADED_HINT = 16,
     DM_DEGRADED_MESH = 32
 };
-enum { DM_ASSET_NODE_FOLLOWS = 1, DM_ASSET_NODE_NO_PIVOT = 2 };
-enum { DM_CLIP_NOT_RIGID = 1 };
-enum { DM_ASSET_WITHOUT_CLIPS = 256, DM_ASSET_WITHOUT_NAMES = 512 };
-enum { DM_ASSET_CLIP_LEFT_OUT = 1 };
-enum { DM_ASSET_STAYS = 0, DM_ASSET_MOVES = 1, DM_ASSET_FREE = 2 };
-enum { DM_ASSET_INFERRED = 0, DM_ASSET_FROM_FILE = 1, DM_ASSET_FROM_CLIP = 2 };
-enum { DM_DRAG_KEEP_JOINT = 1, DM_DRAG_WITHOUT_POINT = 2 };
-enum { DM_RULE_LOCKED = 1, DM_RULE_LATCH = 2 };
-enum { DM_LINK_MOVES = 0, DM_LINK_FREES = 1, DM_LINK_HOLDS = 2 };
-enum { DM_LINK_BOTH_WAYS = 1 };
-enum { DM_HAND_NONE = 0, DM_HAND_RAY = 1, DM_HAND_POINT = 2, DM_HAND_RATE = 3, DM_HAND_STEP = 4, DM_HAND_VALUE = 5 };
-enum { DM_INPUT_LOCKED = 1, DM_INPUT_ASK = 2, DM_INPUT_BOUNDS = 4 };
-enum { DM_DRAG_HELD = 0, DM_DRAG_RELEASED = 1, DM_DRAG_AT_REST = 2 };
+enum {
+    DM_ASSET_NODE_FOLLOWS = 1,
+    DM_ASSET_NODE_NO_PIVOT = 2
+};
+enum {
+    DM_CLIP_NOT_RIGID = 1
+};
+enum {
+    DM_ASSET_WITHOUT_CLIPS = 256,
+    DM_ASSET_WITHOUT_NAMES = 512
+};
+enum {
+    DM_ASSET_CLIP_LEFT_OUT = 1
+};
+enum {
+    DM_ASSET_STAYS = 0,
+    DM_ASSET_MOVES = 1,
+    DM_ASSET_FREE = 2
+};
+enum {
+    DM_ASSET_INFERRED = 0,
+    DM_ASSET_FROM_FILE = 1,
+    DM_ASSET_FROM_CLIP = 2
+};
+enum {
+    DM_DRAG_KEEP_JOINT = 1,
+    DM_DRAG_WITHOUT_POINT = 2
+};
+enum {
+    DM_RULE_LOCKED = 1,
+    DM_RULE_LATCH = 2
+};
+enum {
+    DM_LINK_MOVES = 0,
+    DM_LINK_FREES = 1,
+    DM_LINK_HOLDS = 2
+};
+enum {
+    DM_LINK_BOTH_WAYS = 1
+};
+enum {
+    DM_HAND_NONE = 0,
+    DM_HAND_RAY = 1,
+    DM_HAND_POINT = 2,
+    DM_HAND_RATE = 3,
+    DM_HAND_STEP = 4,
+    DM_HAND_VALUE = 5
+};
+enum {
+    DM_INPUT_LOCKED = 1,
+    DM_INPUT_ASK = 2,
+    DM_INPUT_BOUNDS = 4
+};
+enum {
+    DM_DRAG_HELD = 0,
+    DM_DRAG_RELEASED = 1,
+    DM_DRAG_AT_REST = 2
+};
 enum {
     DM_EVENT_LIMIT_LOWER = 1,
     DM_EVENT_LIMIT_UPPER = 2,
@@ -95,8 +184,18 @@ enum {
     DM_EVENT_LOCKED = 4096,
     DM_EVENT_LET_GO = 8192
 };
-enum { DM_STATUS_LATCHED = 1, DM_STATUS_LOCKED = 2, DM_STATUS_BLOCKED = 4, DM_STATUS_OPEN = 8 };
-enum { DM_BASIS_PREPARED = 0, DM_BASIS_PULL = 1, DM_BASIS_HOST = 2, DM_BASIS_CHOSEN = 3 };
+enum {
+    DM_STATUS_LATCHED = 1,
+    DM_STATUS_LOCKED = 2,
+    DM_STATUS_BLOCKED = 4,
+    DM_STATUS_OPEN = 8
+};
+enum {
+    DM_BASIS_PREPARED = 0,
+    DM_BASIS_PULL = 1,
+    DM_BASIS_HOST = 2,
+    DM_BASIS_CHOSEN = 3
+};
 enum {
     DM_GO_AUTO = 0,
     DM_GO_STAY = 1,
@@ -115,8 +214,15 @@ enum {
     DM_INTENT_FREEZE = 5,
     DM_INTENT_TOGGLE = 6
 };
-enum { DM_RELEASE_BY_RULE = 1, DM_RELEASE_AWAY_FROM = 2 };
-enum { DM_GLTF_WRAP_REPEAT = 10497, DM_GLTF_WRAP_CLAMP = 33071, DM_GLTF_WRAP_MIRROR = 33648 };
+enum {
+    DM_RELEASE_BY_RULE = 1,
+    DM_RELEASE_AWAY_FROM = 2
+};
+enum {
+    DM_GLTF_WRAP_REPEAT = 10497,
+    DM_GLTF_WRAP_CLAMP = 33071,
+    DM_GLTF_WRAP_MIRROR = 33648
+};
 enum {
     DM_GLTF_RIG_URDF = 1,
     DM_GLTF_RIG_MJCF = 2,
@@ -585,8 +691,7 @@ struct dm_core_1 {
     dm_result (*context_get_memory)(const dm_context* context, dm_memory_info* out_info);
     dm_result (*model_load)(dm_context* context, const dm_model_desc* desc, dm_model* out_model);
     dm_result (*model_unload)(dm_context* context, dm_model model);
-    dm_result (*mesh_find_part)(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag,
-                                uint8_t* out_face_ids, uint64_t face_count);
+    dm_result (*mesh_find_part)(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag, uint8_t* out_face_ids, uint64_t face_count);
     dm_result (*object_prepare)(dm_context* context, const dm_object_desc* desc, dm_object* out_object);
     dm_result (*object_save)(dm_context* context, dm_object object, void* buffer, size_t capacity, size_t* out_size);
     dm_result (*object_load)(dm_context* context, const void* data, size_t size, dm_model model, dm_object* out_object);
@@ -594,26 +699,21 @@ struct dm_core_1 {
     dm_result (*object_get_info)(dm_context* context, dm_object object, dm_object_info* out_info);
     dm_result (*object_get_part)(dm_context* context, dm_object object, uint32_t index, dm_part_info* out_info);
     dm_result (*object_get_joint)(dm_context* context, dm_object object, uint32_t part_id, dm_joint* out_joint);
-    dm_result (*object_get_hypotheses)(dm_context* context, dm_object object, uint32_t part_id,
-                                       const dm_drag_hint* drag, dm_joint* out_joints, uint32_t capacity,
-                                       uint32_t* out_count);
+    dm_result (*object_get_hypotheses)(dm_context* context, dm_object object, uint32_t part_id, const dm_drag_hint* drag, dm_joint* out_joints, uint32_t capacity, uint32_t* out_count);
     dm_result (*object_refine)(dm_context* context, dm_object object, uint32_t part_id, const dm_drag_hint* drag);
     dm_result (*object_set_joint)(dm_context* context, dm_object object, uint32_t part_id, const dm_joint* joint);
     dm_result (*object_reset_joint)(dm_context* context, dm_object object, uint32_t part_id);
     dm_result (*joint_pose)(const dm_joint* joint, float value, dm_pose* out_pose);
-    dm_result (*joint_value)(const dm_joint* joint, const dm_pose* pose, float* out_value, float* out_angle_error,
-                             float* out_distance_error);
+    dm_result (*joint_value)(const dm_joint* joint, const dm_pose* pose, float* out_value, float* out_angle_error, float* out_distance_error);
     dm_result (*joint_get_frame)(const dm_joint* joint, dm_joint_frame* out_frame);
     dm_result (*joint_scale)(const dm_joint* joint, dm_vec3 scale, dm_joint* out_joint);
-    dm_result (*motion_generate)(dm_context* context, dm_object object, const dm_motion_desc* desc,
-                                 dm_motion* out_motion);
+    dm_result (*motion_generate)(dm_context* context, dm_object object, const dm_motion_desc* desc, dm_motion* out_motion);
     dm_result (*motion_sample)(dm_context* context, dm_motion motion, float t, dm_pose* out_pose, float* out_value);
     dm_result (*motion_get_frames)(dm_context* context, dm_motion motion, dm_pose* out_poses, float* out_values);
     dm_result (*motion_destroy)(dm_context* context, dm_motion motion);
     dm_result (*drag_begin)(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag);
     dm_result (*drag_update)(dm_context* context, dm_drag drag, const dm_ray* ray, float dt, dm_drag_state* out_state);
-    dm_result (*drag_release)(dm_context* context, dm_drag drag, const dm_release_desc* desc,
-                              dm_release_plan* out_plan);
+    dm_result (*drag_release)(dm_context* context, dm_drag drag, const dm_release_desc* desc, dm_release_plan* out_plan);
     dm_result (*drag_end)(dm_context* context, dm_drag drag, dm_part_state* out_state);
     dm_result (*drag_get_part_state)(dm_context* context, dm_drag drag, dm_part_state* out_state);
     size_t (*drag_snapshot_size)(void);
@@ -621,24 +721,19 @@ struct dm_core_1 {
     dm_result (*drag_restore)(dm_context* context, dm_drag drag, const void* data, size_t size);
     void (*pose_multiply)(const dm_pose* a, const dm_pose* b, dm_pose* out_pose);
     void (*pose_to_matrix)(const dm_pose* pose, float out_matrix[16]);
-    void (*pose_apply_points)(const dm_pose* pose, const float* src, size_t src_stride, float* dst, size_t dst_stride,
-                              size_t count);
+    void (*pose_apply_points)(const dm_pose* pose, const float* src, size_t src_stride, float* dst, size_t dst_stride, size_t count);
     dm_result (*camera_ray)(const dm_context* context, const dm_camera* camera, float x, float y, dm_ray* out_ray);
     dm_result (*scene_create)(dm_context* context, const dm_scene_desc* desc, dm_scene* out_scene);
     dm_result (*scene_destroy)(dm_context* context, dm_scene scene);
-    dm_result (*scene_add)(dm_context* context, dm_scene scene, dm_object object, const dm_pose* placement,
-                           uint32_t* out_instance);
-    dm_result (*scene_move)(dm_context* context, dm_scene scene, uint32_t instance, uint32_t part_id,
-                            const dm_pose* pose);
+    dm_result (*scene_add)(dm_context* context, dm_scene scene, dm_object object, const dm_pose* placement, uint32_t* out_instance);
+    dm_result (*scene_move)(dm_context* context, dm_scene scene, uint32_t instance, uint32_t part_id, const dm_pose* pose);
     dm_result (*scene_remove)(dm_context* context, dm_scene scene, uint32_t instance);
     dm_result (*scene_commit)(dm_context* context, dm_scene scene);
     dm_result (*scene_pick)(dm_context* context, dm_scene scene, const dm_ray* ray, dm_hit* out_hit);
-    dm_result (*drag_step)(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt,
-                           dm_drag_state* out_state);
+    dm_result (*drag_step)(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt, dm_drag_state* out_state);
     dm_result (*drag_take)(dm_context* context, dm_drag drag, float value, dm_drag_state* out_state);
     dm_result (*object_set_links)(dm_context* context, dm_object object, const dm_link* links, uint32_t count);
-    dm_result (*object_follow_links)(dm_context* context, dm_object object, uint32_t part_id, float* inout_values,
-                                     uint8_t* out_held, uint32_t count);
+    dm_result (*object_follow_links)(dm_context* context, dm_object object, uint32_t part_id, float* inout_values, uint8_t* out_held, uint32_t count);
     dm_result (*joint_value_at)(const dm_joint* joint, float share, float* out_value);
     void (*pose_inverse)(const dm_pose* pose, dm_pose* out_pose);
     dm_result (*pose_from_rotation)(const float rotation[4], dm_vec3 translation, dm_pose* out_pose);
@@ -647,8 +742,7 @@ struct dm_core_1 {
     dm_result (*asset_get_info)(dm_context* context, dm_asset asset, dm_asset_info* out_info);
     dm_result (*asset_get_part)(dm_context* context, dm_asset asset, uint32_t index, dm_asset_part* out_part);
     dm_result (*asset_get_joint)(dm_context* context, dm_asset asset, uint32_t index, dm_joint* out_joint);
-    dm_result (*asset_get_part_nodes)(dm_context* context, dm_asset asset, uint32_t index, uint32_t* out_nodes,
-                                      uint32_t capacity);
+    dm_result (*asset_get_part_nodes)(dm_context* context, dm_asset asset, uint32_t index, uint32_t* out_nodes, uint32_t capacity);
     dm_result (*asset_get_node_parts)(dm_context* context, dm_asset asset, uint32_t* out_parts, uint32_t capacity);
     dm_result (*asset_make_object)(dm_context* context, dm_asset asset, dm_object* out_object);
     dm_result (*context_trim)(dm_context* context);
@@ -742,8 +836,7 @@ dm_result dm_context_get_memory(const dm_context* context, dm_memory_info* out_i
 dm_result dm_context_trim(dm_context* context);
 dm_result dm_model_load(dm_context* context, const dm_model_desc* desc, dm_model* out_model);
 dm_result dm_model_unload(dm_context* context, dm_model model);
-dm_result dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag,
-                            uint8_t* out_face_ids, uint64_t face_count);
+dm_result dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mesh, const dm_drag_hint* drag, uint8_t* out_face_ids, uint64_t face_count);
 dm_result dm_object_prepare(dm_context* context, const dm_object_desc* desc, dm_object* out_object);
 dm_result dm_object_save(dm_context* context, dm_object object, void* buffer, size_t capacity, size_t* out_size);
 dm_result dm_object_load(dm_context* context, const void* data, size_t size, dm_model model, dm_object* out_object);
@@ -751,26 +844,22 @@ dm_result dm_object_destroy(dm_context* context, dm_object object);
 dm_result dm_object_get_info(dm_context* context, dm_object object, dm_object_info* out_info);
 dm_result dm_object_get_part(dm_context* context, dm_object object, uint32_t index, dm_part_info* out_info);
 dm_result dm_object_get_joint(dm_context* context, dm_object object, uint32_t part_id, dm_joint* out_joint);
-dm_result dm_object_get_hypotheses(dm_context* context, dm_object object, uint32_t part_id, const dm_drag_hint* drag,
-                                   dm_joint* out_joints, uint32_t capacity, uint32_t* out_count);
+dm_result dm_object_get_hypotheses(dm_context* context, dm_object object, uint32_t part_id, const dm_drag_hint* drag, dm_joint* out_joints, uint32_t capacity, uint32_t* out_count);
 dm_result dm_object_refine(dm_context* context, dm_object object, uint32_t part_id, const dm_drag_hint* drag);
 dm_result dm_object_set_joint(dm_context* context, dm_object object, uint32_t part_id, const dm_joint* joint);
 dm_result dm_object_reset_joint(dm_context* context, dm_object object, uint32_t part_id);
 dm_result dm_object_set_links(dm_context* context, dm_object object, const dm_link* links, uint32_t count);
-dm_result dm_object_follow_links(dm_context* context, dm_object object, uint32_t part_id, float* inout_values,
-                                 uint8_t* out_held, uint32_t count);
+dm_result dm_object_follow_links(dm_context* context, dm_object object, uint32_t part_id, float* inout_values, uint8_t* out_held, uint32_t count);
 dm_result dm_asset_create(dm_context* context, const dm_asset_desc* desc, dm_asset* out_asset);
 dm_result dm_asset_destroy(dm_context* context, dm_asset asset);
 dm_result dm_asset_get_info(dm_context* context, dm_asset asset, dm_asset_info* out_info);
 dm_result dm_asset_get_part(dm_context* context, dm_asset asset, uint32_t index, dm_asset_part* out_part);
 dm_result dm_asset_get_joint(dm_context* context, dm_asset asset, uint32_t index, dm_joint* out_joint);
-dm_result dm_asset_get_part_nodes(dm_context* context, dm_asset asset, uint32_t index, uint32_t* out_nodes,
-                                  uint32_t capacity);
+dm_result dm_asset_get_part_nodes(dm_context* context, dm_asset asset, uint32_t index, uint32_t* out_nodes, uint32_t capacity);
 dm_result dm_asset_get_node_parts(dm_context* context, dm_asset asset, uint32_t* out_parts, uint32_t capacity);
 dm_result dm_asset_make_object(dm_context* context, dm_asset asset, dm_object* out_object);
 dm_result dm_joint_pose(const dm_joint* joint, float value, dm_pose* out_pose);
-dm_result dm_joint_value(const dm_joint* joint, const dm_pose* pose, float* out_value, float* out_angle_error,
-                         float* out_distance_error);
+dm_result dm_joint_value(const dm_joint* joint, const dm_pose* pose, float* out_value, float* out_angle_error, float* out_distance_error);
 dm_result dm_joint_value_at(const dm_joint* joint, float share, float* out_value);
 dm_result dm_joint_get_frame(const dm_joint* joint, dm_joint_frame* out_frame);
 dm_result dm_joint_scale(const dm_joint* joint, dm_vec3 scale, dm_joint* out_joint);
@@ -780,8 +869,7 @@ dm_result dm_motion_get_frames(dm_context* context, dm_motion motion, dm_pose* o
 dm_result dm_motion_destroy(dm_context* context, dm_motion motion);
 dm_result dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag);
 dm_result dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt, dm_drag_state* out_state);
-dm_result dm_drag_step(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt,
-                       dm_drag_state* out_state);
+dm_result dm_drag_step(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt, dm_drag_state* out_state);
 dm_result dm_drag_take(dm_context* context, dm_drag drag, float value, dm_drag_state* out_state);
 dm_result dm_drag_release(dm_context* context, dm_drag drag, const dm_release_desc* desc, dm_release_plan* out_plan);
 dm_result dm_drag_end(dm_context* context, dm_drag drag, dm_part_state* out_state);
@@ -793,13 +881,11 @@ void dm_pose_multiply(const dm_pose* a, const dm_pose* b, dm_pose* out_pose);
 void dm_pose_inverse(const dm_pose* pose, dm_pose* out_pose);
 dm_result dm_pose_from_rotation(const float rotation[4], dm_vec3 translation, dm_pose* out_pose);
 void dm_pose_to_matrix(const dm_pose* pose, float out_matrix[16]);
-void dm_pose_apply_points(const dm_pose* pose, const float* src, size_t src_stride, float* dst, size_t dst_stride,
-                          size_t count);
+void dm_pose_apply_points(const dm_pose* pose, const float* src, size_t src_stride, float* dst, size_t dst_stride, size_t count);
 dm_result dm_camera_ray(const dm_context* context, const dm_camera* camera, float x, float y, dm_ray* out_ray);
 dm_result dm_scene_create(dm_context* context, const dm_scene_desc* desc, dm_scene* out_scene);
 dm_result dm_scene_destroy(dm_context* context, dm_scene scene);
-dm_result dm_scene_add(dm_context* context, dm_scene scene, dm_object object, const dm_pose* placement,
-                       uint32_t* out_instance);
+dm_result dm_scene_add(dm_context* context, dm_scene scene, dm_object object, const dm_pose* placement, uint32_t* out_instance);
 dm_result dm_scene_move(dm_context* context, dm_scene scene, uint32_t instance, uint32_t part_id, const dm_pose* pose);
 dm_result dm_scene_remove(dm_context* context, dm_scene scene, uint32_t instance);
 dm_result dm_scene_commit(dm_context* context, dm_scene scene);
@@ -815,28 +901,21 @@ void dm_gltf_get_origin(const dm_gltf* gltf, double out_origin[3]);
 uint32_t dm_gltf_surface_count(const dm_gltf* gltf);
 dm_result dm_gltf_get_surface(dm_gltf* gltf, uint32_t index, dm_gltf_surface* out_surface);
 dm_result dm_gltf_get_texture_coordinates(dm_gltf* gltf, uint32_t index, float* out_uv, uint64_t corner_count);
-dm_result dm_gltf_mark_faces(const dm_gltf* gltf, const char** names, uint32_t name_count, uint8_t value,
-                             uint8_t* inout_face_ids, uint64_t face_count);
-dm_result dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_label, size_t label_size,
-                            dm_pivot* out_pivot);
+dm_result dm_gltf_mark_faces(const dm_gltf* gltf, const char** names, uint32_t name_count, uint8_t value, uint8_t* inout_face_ids, uint64_t face_count);
+dm_result dm_gltf_get_hints(const dm_gltf* gltf, const char* name, char* out_label, size_t label_size, dm_pivot* out_pivot);
 dm_result dm_gltf_get_asset(dm_gltf* gltf, uint32_t flags, const dm_asset_node** out_nodes, uint32_t* out_count);
 dm_result dm_gltf_get_asset_node(dm_gltf* gltf, uint32_t index, uint32_t* out_node);
 int32_t dm_gltf_pivots_are_lost(const dm_gltf* gltf);
 dm_result dm_gltf_get_pivot_kind(const dm_gltf* gltf, const char* name, int32_t* out_kind);
 int32_t dm_gltf_left_out(const dm_gltf* gltf);
-dm_result dm_gltf_read_mask(const dm_gltf* gltf, const void* data, size_t size, const int64_t* mask_value,
-                            uint8_t* out_part_ids, int32_t* out_scope, int32_t* out_ambiguous);
-dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint32_t track_count, void** out_data,
-                         size_t* out_size);
+dm_result dm_gltf_read_mask(const dm_gltf* gltf, const void* data, size_t size, const int64_t* mask_value, uint8_t* out_part_ids, int32_t* out_scope, int32_t* out_ambiguous);
+dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint32_t track_count, void** out_data, size_t* out_size);
 void dm_gltf_release_bytes(const dm_gltf* gltf, void* data, size_t size);
-dm_result dm_gltf_write(const dm_gltf_part* parts, uint32_t part_count, const dm_allocator* allocator,
-                        const dm_log* log, void** out_data, size_t* out_size);
+dm_result dm_gltf_write(const dm_gltf_part* parts, uint32_t part_count, const dm_allocator* allocator, const dm_log* log, void** out_data, size_t* out_size);
 size_t dm_gltf_mend_text(char* text);
 dm_result dm_gltf_rig_make(const dm_gltf_rig_desc* desc, dm_gltf_rig** out_rig);
 void dm_gltf_rig_destroy(dm_gltf_rig* rig);
 uint32_t dm_gltf_rig_file_count(const dm_gltf_rig* rig);
 dm_result dm_gltf_rig_get_file(const dm_gltf_rig* rig, uint32_t index, dm_gltf_rig_file* out_file);
-dm_result dm_drag_update_input(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt,
-                               dm_drag_state* out_state) __asm__("dm_drag_step");
-dm_result dm_drag_override(dm_context* context, dm_drag drag, float value,
-                           dm_drag_state* out_state) __asm__("dm_drag_take");
+dm_result dm_drag_update_input(dm_context* context, dm_drag drag, const dm_drag_input* input, float dt, dm_drag_state* out_state) __asm__("dm_drag_step");
+dm_result dm_drag_override(dm_context* context, dm_drag drag, float value, dm_drag_state* out_state) __asm__("dm_drag_take");
