@@ -99,8 +99,10 @@ dm_result dmi_set_context_make(dmi_arena* arena, const dmi_merge_tree* tree, con
     uint8_t* overlaps = dmi_arena_push(arena, tree->set_count + 1);
     const dm_result result = relate(arena, tree, links, moves, &r);
     if (result != DM_OK || overlaps == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    float all = 0;
+    for (uint32_t n = 0; n < tree->grid->node_count; n++) all += r.cells[n];
     for (uint32_t s = 0; s < tree->set_count; s++) {
-        float best = 0, sum = 0, likely = 0, sure = 0, better = 0, moving = 0, all = 0;
+        float best = 0, sum = 0, likely = 0, sure = 0, better = 0, moving = 0;
         mark_overlaps(tree, &r, s, overlaps);
         for (uint32_t t = 0; t < tree->set_count; t++) {
             if (overlaps[t]) continue;
@@ -111,7 +113,6 @@ dm_result dmi_set_context_make(dmi_arena* arena, const dmi_merge_tree* tree, con
             better += moves[t] > moves[s];
             moving += is_top && moves[t] > LIKELY ? r.cells[t] : 0;
         }
-        for (uint32_t n = 0; n < tree->grid->node_count; n++) all += r.cells[n];
         const uint32_t in = r.best_inside[s], out_of = r.best_around[s];
         const float own = r.cells[s] + TINY;
         const float twins = r.twin_sum[links[s].twin] / r.twin_count[links[s].twin];

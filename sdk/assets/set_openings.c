@@ -43,7 +43,7 @@ static void put_hang(dmi_row* r, const dmi_node_set* s) {
     double spread[3];
     const uint32_t count = list_touching(s, touching);
     if (count < FEWEST) {
-        for (int i = 0; i < 7; i++) dmi_put(r, 1); /* literal: what is put below */
+        for (int i = DMI_OPENING_HANG; i < DMI_OPENING_WAYS; i++) dmi_put(r, 1);
         return;
     }
     dmi_principal3((const float(*)[3])touching, count, middle, spread, directions);
