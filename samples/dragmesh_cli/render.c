@@ -11,8 +11,11 @@
 
 enum { GRID = 2, SKY_RAYS = 6, GAP = 6 /* pixels between panels */ };
 static const double sky_reach = 0.7; /* share of the object's size: farther surfaces cast no ambient shadow */
-static const vec sun_light = {1.55, 1.47, 1.32}, accent = {0.86, 0.33, 0.09};
+static const vec sun_light = {1.55, 1.47, 1.32};
 static const double accent_share = 0.6;
+/* Accents of parts, in order of their ids, then again from the first one. */
+static const vec accents[] = {{0.86, 0.33, 0.09}, {0.10, 0.38, 0.80}, {0.16, 0.58, 0.16}, {0.56, 0.18, 0.68},
+                              {0.84, 0.66, 0.06}, {0.05, 0.58, 0.60}, {0.78, 0.08, 0.22}, {0.46, 0.32, 0.16}};
 
 /* ---- the scene ---- */
 
@@ -73,6 +76,10 @@ void render_close(renderer* r) {
     free(r->face_part);
 }
 
+vec render_accent(uint32_t part_id) {
+    return accents[(part_id - 1) % (sizeof accents / sizeof *accents)];
+}
+
 /* ---- light ---- */
 
 static bool cast(const renderer* r, vec origin, vec direction, dm_hit* out_hit) {
@@ -128,7 +135,8 @@ static vec surface(renderer* r, const dm_hit* hit, vec view) {
     }
     if (dot(normal, view) > 0) normal = scale(normal, -1); /* inside out, or seen from inside */
     vec albedo = r->colours[r->face_node[hit->triangle]];
-    if (r->face_part[hit->triangle] != 0) albedo = mix(albedo, accent, accent_share);
+    const uint32_t part = r->face_part[hit->triangle];
+    if (part != 0) albedo = mix(albedo, render_accent(part), accent_share);
     const vec light = light_at(r, vec_of(hit->point), normal);
     return (vec){albedo.x * light.x, albedo.y * light.y, albedo.z * light.z};
 }

@@ -31,8 +31,12 @@ dm_result render_open(renderer* renderer, session* session, char up);
  * part_count of them. Takes face_part over. */
 dm_result render_open_parts(renderer* renderer, session* session, char up, uint32_t* face_part, uint32_t part_count);
 void render_close(renderer* renderer);
+/* Returns the colour, 0 to 1, that a part (its id: 1 or more) is tinted with. Eight parts differ. */
+vec render_accent(uint32_t part_id);
 /* Returns the pose of a part among those of picture `index`. */
 const dm_pose* render_pose(const renderer* renderer, const dm_pose* poses, uint32_t index, uint32_t part_id);
+/* Returns where a pose takes a point. */
+vec render_moved(const dm_pose* pose, vec point);
 /* A camera for pictures of width x height that sees the whole object in all of the poses, from the side that `toward`
  * (the way the part moves; may be zero) points to. */
 void render_aim(renderer* renderer, vec toward, const dm_pose* poses, uint32_t count, int width, int height);

@@ -45,7 +45,7 @@ static void grow(extent* e, const basis* b, vec eye, vec point) {
     e->top = fmax(e->top, y);
 }
 
-static vec moved(const dm_pose* pose, vec point) {
+vec render_moved(const dm_pose* pose, vec point) {
     float xyz[3] = {(float)point.x, (float)point.y, (float)point.z};
     dm_pose_apply_points(pose, xyz, 0, xyz, 0, 1);
     return vec_at(xyz);
@@ -60,7 +60,7 @@ static extent measure(const renderer* r, const basis* b, vec eye, const dm_pose*
         const uint32_t part = r->face_part[i / 3];
         if (part == 0) grow(&e, b, eye, point);
         for (uint32_t k = 0; k < count && part != 0; k++)
-            grow(&e, b, eye, moved(render_pose(r, poses, k, part), point));
+            grow(&e, b, eye, render_moved(render_pose(r, poses, k, part), point));
     }
     return e;
 }

@@ -1,14 +1,31 @@
 /* Pictures of an asset from closed to open. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "render.h"
 #include "rig.h"
 
 enum { FRAMES = 3, PIXELS = 280, GAP = 6 }; /* pictures of a strip, their side and what is between them; by hand */
+enum { DASHES = 5 };                        /* of the line along which a part slides; by hand */
 static const double axis_share = 0.7;       /* half the drawn axis, as a share of the part's size; by hand */
-static const uint8_t blue[3] = {70, 150, 255}, orange[3] = {255, 150, 40};
+static const double side_share =
+    0.02; /* of the size, mean way from which on it says where the camera stands; by hand */
 
-/* Draws where the parts turn, blue, and the way they slide, orange. */
+/* Draws a line in a part's colour: dashed where the part slides along it, else whole. */
+static void draw_axis(const renderer* r, uint32_t part_id, vec from, vec to, bool slides, picture* strip) {
+    const vec accent = render_accent(part_id);
+    const double channels[3] = {accent.x, accent.y, accent.z};
+    uint8_t rgb[3];
+    for (int i = 0; i < 3; i++) rgb[i] = (uint8_t)(255 * sqrt(channels[i])); /* near sRGB's curve */
+    const vec step = scale(sub(to, from), 1.0 / (2 * DASHES - 1));
+    for (int i = 0; i < DASHES && slides; i++) {
+        const vec start = add(from, scale(step, 2.0 * i));
+        render_segment(r, start, add(start, step), rgb, strip, 0);
+    }
+    if (!slides) render_segment(r, from, to, rgb, strip, 0);
+}
+
+/* Draws the lines about which the parts turn and along which they slide. */
 static void draw_axes(const renderer* r, const rig* rig, picture* strip) {
     for (uint32_t i = 0; i < rig->info.part_count; i++) {
         const rig_part* part = &rig->parts[i];
@@ -21,8 +38,29 @@ static void draw_axes(const renderer* r, const rig* rig, picture* strip) {
             const vec origin = vec_of(part->joint.origin);
             middle = add(origin, scale(axis, dot(sub(middle, origin), axis)));
         }
-        render_segment(r, sub(middle, half), add(middle, half), slides ? orange : blue, strip, 0);
+        draw_axis(r, part->part.part_id, sub(middle, half), add(middle, half), slides, strip);
     }
+}
+
+/* Returns the way that the surface of the moving parts goes in the mean from rest to `poses`; zero where it is short.
+ */
+static vec mean_way(const renderer* r, const dm_pose* poses) {
+    const dm_mesh_desc* mesh = &r->session->mesh;
+    vec sum = {0, 0, 0};
+    double area = 0;
+    for (uint64_t face = 0; face < mesh->index_count / 3; face++) {
+        if (r->face_part[face] == 0) continue;
+        vec corner[3];
+        for (int i = 0; i < 3; i++)
+            corner[i] = vec_at((const float*)mesh->positions +
+                               3 * (size_t)((const uint32_t*)mesh->indices)[3 * face + (uint64_t)i]);
+        const vec middle = scale(add(add(corner[0], corner[1]), corner[2]), 1.0 / 3);
+        const double share = length(cross(sub(corner[1], corner[0]), sub(corner[2], corner[0])));
+        const vec moved = render_moved(render_pose(r, poses, 0, r->face_part[face]), middle);
+        sum = add(sum, scale(sub(moved, middle), share));
+        area += share;
+    }
+    return length(sum) > side_share * r->size * area ? scale(sum, 1 / area) : (vec){0, 0, 0};
 }
 
 static dm_result draw(renderer* r, const rig* rig, picture* strip) {
@@ -31,7 +69,8 @@ static dm_result draw(renderer* r, const rig* rig, picture* strip) {
     dm_result result = DM_OK;
     for (uint32_t i = 0; i < FRAMES && result == DM_OK; i++)
         result = rig_pose(rig, (float)i / (FRAMES - 1), poses + (size_t)i * count);
-    if (result == DM_OK) render_aim(r, (vec){0, 0, 0}, poses, FRAMES, PIXELS, PIXELS);
+    const vec way = result == DM_OK ? mean_way(r, poses + (size_t)(FRAMES - 1) * count) : (vec){0, 0, 0};
+    if (result == DM_OK) render_aim(r, way, poses, FRAMES, PIXELS, PIXELS);
     for (uint32_t i = 0; i < FRAMES && result == DM_OK; i++)
         result = render_draw(r, poses + (size_t)i * count, strip, (int)i * (PIXELS + GAP));
     if (result == DM_OK) draw_axes(r, rig, strip);
