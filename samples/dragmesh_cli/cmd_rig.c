@@ -12,11 +12,12 @@ enum { MOST_WORKERS = 256 }; /* by hand */
 
 static const char* const switches[] = {"on", "off", NULL};
 
-static int check(const rig_output* output, const rig_options* options, const char* file, const char* names) {
+static int check(const rig_output* output, const rig_options* options, const char* file, const char* names,
+                 const char* up) {
     if (file == NULL || output->path == NULL) return options_refuse(&cli_rig, "a file or a folder, and -o, are needed");
     if (!(options->min_moves >= 0 && options->min_moves <= 1)) return options_refuse(&cli_rig, "--min-moves: 0 to 1");
     if (strcmp(names, "on") != 0 && strcmp(names, "off") != 0) return options_refuse(&cli_rig, "--names: on or off");
-    if (output->up[0] < 'x' || output->up[0] > 'z' || output->up[1]) return options_refuse(&cli_rig, "--up: x, y or z");
+    if (up[0] < 'x' || up[0] > 'z' || up[1]) return options_refuse(&cli_rig, "--up: x, y or z");
     return CLI_OK;
 }
 
@@ -40,17 +41,19 @@ static int rig_file(const char* file, const char* models, const rig_output* outp
 }
 
 static int run(int argc, char** argv) {
-    const char *file = NULL, *models = NULL, *names = "on", *formats = "glb";
+    const char *file = NULL, *models = NULL, *names = "on", *formats = "glb", *up = "y";
     int no_clips = 0, as_json = 0, is_worker = 0, workers = 1;
     char unknown[RIG_FORMATS_TEXT];
-    rig_output output = {.up = "y"};
-    rig_options options = {.min_moves = RIG_USUAL_MOVES};
+    rig_output output = {0};
+    rig_options options = {
+        .min_moves = RIG_USUAL_MOVES,
+    };
     const option_spec table[] = {{.name = "-o", .kind = OPTION_TEXT, .value = &output.path},
                                  {.name = "--names", .kind = OPTION_CHOICE, .value = &names, .choices = switches},
                                  {.name = "--no-clips", .kind = OPTION_FLAG, .value = &no_clips},
                                  {.name = "--min-moves", .kind = OPTION_NUMBER, .value = &options.min_moves},
                                  {.name = "--formats", .kind = OPTION_TEXT, .value = &formats},
-                                 {.name = "--up", .kind = OPTION_TEXT, .value = &output.up},
+                                 {.name = "--up", .kind = OPTION_TEXT, .value = &up},
                                  {.name = "-j", .kind = OPTION_INTEGER, .value = &workers},
                                  {.name = "--json", .kind = OPTION_FLAG, .value = &as_json},
                                  {.name = "--models", .kind = OPTION_TEXT, .value = &models},
@@ -59,10 +62,11 @@ static int run(int argc, char** argv) {
     if (status != CLI_OK) return status;
     options.without_names = strcmp(names, "off") == 0;
     options.without_clips = no_clips;
+    options.up = up[0];
     options.formats = rig_read_formats(formats, unknown, sizeof unknown);
     output.as_json = as_json;
     output.is_worker = is_worker;
-    status = check(&output, &options, file, names);
+    status = check(&output, &options, file, names, up);
     if (status == CLI_OK && options.formats == 0)
         status = options_refuse(&cli_rig, "--formats: '%s' is none of glb, urdf, mjcf, sdf, usda, tscn", unknown);
     if (status == CLI_OK && (workers < 1 || workers > MOST_WORKERS))
@@ -84,4 +88,5 @@ const cli_command cli_rig = {
     "    and what is done already is left as it is.\n"
     "    --formats: what a folder gets: a list of glb (rigged.glb; alone, if nothing is said), urdf, mjcf, sdf,\n"
     "    usda and tscn.\n"
-    "    --names off, --no-clips: names, or clips, say nothing. --min-moves: probability from which on a part moves."};
+    "    --names off, --no-clips: names, or clips, say nothing. --min-moves: probability from which on a part moves.\n"
+    "    --up: which way is up in the files; glTF's is y."};

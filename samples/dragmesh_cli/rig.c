@@ -34,6 +34,10 @@ static const dm_asset_node* take_nodes(const rig* rig, const rig_options* option
     return *out_copies;
 }
 
+static dm_vec3 up_of(char letter) {
+    return (dm_vec3){.x = letter == 'x', .y = letter == 'y', .z = letter == 'z'};
+}
+
 dm_result rig_make(session* session, const char* path, const rig_options* options, rig* out_rig) {
     const double start = cli_now_ms();
     char label[DM_MAX_LABEL + 1];
@@ -51,7 +55,8 @@ dm_result rig_make(session* session, const char* path, const rig_options* option
                                 .node_count = out_rig->node_count,
                                 .label = label,
                                 .min_moves = (float)options->min_moves,
-                                .model = session->model};
+                                .model = session->model,
+                                .up = up_of(options->up)};
     result = dm_asset_create(session->context, &desc, &out_rig->asset);
     free(copies);
     if (result == DM_OK) result = read_parts(session, out_rig);

@@ -17,6 +17,7 @@ typedef struct rig_options {
     bool without_names, without_clips, without_pivots;
     double min_moves; /* probability from which on a part moves */
     uint32_t formats; /* that are written: DM_GLTF_RIG_* */
+    char up;          /* of the files: 'x', 'y' or 'z'; 0: nothing says it, as in glTF 'y' */
 } rig_options;
 
 typedef struct rig_part {

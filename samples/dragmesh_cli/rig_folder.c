@@ -132,8 +132,8 @@ static void finish(run* run, const asset* asset, int status) {
 
 static bool start_worker(const run* run, const asset* asset, platform_child* out_child) {
     char moves[32], formats[RIG_FORMATS_TEXT];
-    const char* arguments[MOST_ARGUMENTS] = {"dragmesh",    "rig",  "--worker",     "-o",
-                                             asset->folder, "--up", run->output->up};
+    const char* arguments[MOST_ARGUMENTS] = {
+        "dragmesh", "rig", "--worker", "-o", asset->folder, "--up", (const char[]){run->options->up, 0}};
     int count = 7;
     snprintf(moves, sizeof moves, "%.17g", run->options->min_moves);
     rig_format_names(run->options->formats, formats, sizeof formats);

@@ -8,8 +8,9 @@ const char* rig_options_text(const rig_options* options, char* out, size_t size)
     const uint32_t version = dm_version();
     char formats[RIG_FORMATS_TEXT];
     rig_format_names(options->formats, formats, sizeof formats);
-    snprintf(out, size, "version %u, names %s, clips %s, min-moves %.4g, formats %s", version,
-             options->without_names ? "off" : "on", options->without_clips ? "off" : "on", options->min_moves, formats);
+    snprintf(out, size, "version %u, names %s, clips %s, min-moves %.4g, formats %s, up %c", version,
+             options->without_names ? "off" : "on", options->without_clips ? "off" : "on", options->min_moves, formats,
+             options->up ? options->up : 'y');
     return out;
 }
 

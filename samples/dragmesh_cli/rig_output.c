@@ -33,7 +33,7 @@ static dm_result write_folder(file_set* set, const rig* rig, const rig_options* 
                            ? DM_OK
                            : session_fail_to_write(set->session, output->path);
     if (result == DM_OK) result = rig_write_formats(set, rig, options->formats, output->path);
-    if (result == DM_OK && rig->info.moving_count > 0) result = rig_write_film(set, rig, output->up[0], film);
+    if (result == DM_OK && rig->info.moving_count > 0) result = rig_write_film(set, rig, options->up, film);
     if (result == DM_OK) result = write_answer(set, rig, options, answer);
     free(film);
     free(answer);

@@ -6,7 +6,6 @@
 
 typedef struct rig_output {
     const char* path; /* ends in .json: the answer alone; else a folder */
-    const char* up;   /* of the pictures: "x", "y" or "z" */
     bool as_json;     /* on standard output */
     bool is_worker;   /* of a folder's run, which tells what this process leaves in its folder */
 } rig_output;

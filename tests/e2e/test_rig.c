@@ -168,6 +168,64 @@ static void copy_cabinet(const char* name) {
     free(bytes);
 }
 
+/* Writes the cabinet as a file in which z is up: all of it turned by a quarter about x. */
+static void write_turned_cabinet(const char* name) {
+    enum { HEADER = 20, LENGTH_AT = 12 };
+    char path[PATH];
+    size_t size;
+    uint32_t length;
+    copy_cabinet(name);
+    cJSON *document = read_document(name), *nodes = cJSON_GetObjectItem(document, "nodes");
+    cJSON* scene = cJSON_GetArrayItem(cJSON_GetObjectItem(document, "scenes"), 0);
+    cJSON *top = cJSON_CreateObject(), *over = cJSON_CreateArray();
+    cJSON_AddItemToObject(top, "children", cJSON_DetachItemFromObject(scene, "nodes"));
+    cJSON_AddItemToObject(top, "rotation", cJSON_CreateDoubleArray((const double[]){M_SQRT1_2, 0, 0, M_SQRT1_2}, 4));
+    cJSON_AddItemToArray(over, cJSON_CreateNumber(cJSON_GetArraySize(nodes)));
+    cJSON_AddItemToObject(scene, "nodes", over);
+    cJSON_AddItemToArray(nodes, top);
+    char* text = cJSON_PrintUnformatted(document);
+    cJSON_Delete(document);
+    in_folder(path, name);
+    char* old = tool_read(path, &size);
+    memcpy(&length, old + LENGTH_AT, sizeof length);
+    const size_t rest = size - HEADER - length, used = strlen(text), padded = (used + 3) / 4 * 4;
+    char* bytes = malloc(HEADER + padded + rest);
+    memcpy(bytes, old, HEADER);
+    memcpy(bytes + HEADER, text, used);
+    memset(bytes + HEADER + used, ' ', padded - used);
+    memcpy(bytes + HEADER + padded, old + HEADER + length, rest);
+    memcpy(bytes + LENGTH_AT, &(uint32_t){(uint32_t)padded}, sizeof length);
+    memcpy(bytes + 8, &(uint32_t){(uint32_t)(HEADER + padded + rest)}, sizeof length);
+    tool_write(path, bytes, HEADER + padded + rest);
+    free(bytes);
+    free(old);
+    free(text);
+}
+
+/* Returns how sure a run is of the joint of the left drawer. */
+static double rig_drawer(const char* file, const char* up, const char* name) {
+    tool_run(&out, "dragmesh", NULL, "rig|%s|--up|%s|--models|sdk/models|-o|%s/%s", file, up, folder, name);
+    if (out.status != 0) fail_msg("%s", out.errors);
+    cJSON* rig = read_answer(name);
+    const cJSON* drawer = part_with(rig, "drawer_left");
+    assert_non_null(drawer);
+    const double confidence = cJSON_GetObjectItem(drawer, "confidence")->valuedouble;
+    cJSON_Delete(rig);
+    return confidence;
+}
+
+/* Who says that z is up in a file gets what the same file with y up gets. */
+static void test_up_is_evidence(void** state) {
+    (void)state;
+    char path[PATH];
+    write_turned_cabinet("turned.glb");
+    in_folder(path, "turned.glb");
+    const double upright = rig_drawer("samples/cabinet.glb", "y", "upright.json"),
+                 told = rig_drawer(path, "z", "told.json"), untold = rig_drawer(path, "y", "untold.json");
+    if (!(fabs(told - upright) < 0.5 * fabs(untold - upright)))
+        fail_msg("upright %g, turned and told %g, turned and not told %g", upright, told, untold);
+}
+
 /* A file that can't be read is named, and so is one whose worker leaves nothing; the others are rigged, once. */
 static void test_a_folder(void** state) {
     (void)state;
@@ -306,6 +364,7 @@ int main(void) {
         cmocka_unit_test(test_one_file),
         cmocka_unit_test(test_the_scene_states_its_joints),
         cmocka_unit_test(test_a_clip_of_the_file_stays_its_own),
+        cmocka_unit_test(test_up_is_evidence),
         cmocka_unit_test(test_a_folder),
         cmocka_unit_test(test_workers_change_nothing),
         cmocka_unit_test(test_formats),
