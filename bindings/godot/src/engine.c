@@ -436,3 +436,16 @@ void gd_register_property(GDExtensionClassLibraryPtr library, const char* class_
     gd_name_free(&getter);
     gd_name_free(&class);
 }
+
+GDObjectInstanceID gd_id(const gd_value* object) {
+    const GDExtensionObjectPtr pointer = gd_object(object);
+    return pointer ? gd.object_get_instance_id(pointer) : 0;
+}
+
+gd_value gd_node(GDObjectInstanceID id) {
+    return gd_of_object(gd.object_get_instance_from_id(id));
+}
+
+gd_value gd_parent(const gd_value* node) {
+    return gd_call(node, "get_parent", 0, NULL);
+}

@@ -127,6 +127,11 @@ void gd_put(gd_value* self, const char* name, gd_value value);
 void gd_append(gd_value* array, gd_value value);
 /* Calls a method by name; nil where that fails. */
 gd_value gd_call(const gd_value* self, const char* method, int count, const gd_value* arguments);
+/* The id of an object; 0: none. */
+GDObjectInstanceID gd_id(const gd_value* object);
+/* The node of an id; nil: it is gone. */
+gd_value gd_node(GDObjectInstanceID id);
+gd_value gd_parent(const gd_value* node);
 /* The same where the answer is not asked for. */
 void gd_do(const gd_value* self, const char* method, int count, const gd_value* arguments);
 
