@@ -76,6 +76,14 @@ void body_unload(body* b) {
     b->scene = 0, b->prepared = 0;
 }
 
+/* The parts as they are marked; else all nodes, of which some will turn out to be parts. */
+static void find_nodes(body* b) {
+    if (body_is_marked(b))
+        body_find_parts(b);
+    else
+        whole_find_members(b);
+}
+
 /* Puts a prepared object into use, and the host's joints in force. */
 static dm_result take(body* b, dm_object object) {
     dm_object_info info = dm_object_info_default();
@@ -113,8 +121,12 @@ static dm_result finish(body* b) {
     b->preparation = NULL;
     dm_result result = p->result;
     const dm_object object = p->object;
+    if (result == DM_OK && b->whole) result = whole_take_answer(b, p, object);
     preparation_free(p);
-    if (result == DM_OK) result = take(b, object);
+    if (result == DM_OK)
+        result = take(b, object);
+    else if (object)
+        dm_object_destroy(library_context(), object);
     if (result == DM_OK)
         keep(b);
     else
@@ -125,8 +137,8 @@ static dm_result finish(body* b) {
 static bool begin(body* b) {
     if (b->walking) return false;
     body_unload(b);
-    body_find_parts(b);
-    b->preparation = body_collect(b);
+    find_nodes(b);
+    b->preparation = b->whole ? whole_collect(b) : body_collect(b);
     if (!b->preparation) return false;
     b->preparation->model = library_model();
     b->told_progress = -1;
@@ -153,16 +165,29 @@ static bool parts_are_known(const body* b) {
     return known;
 }
 
+/* Gives the nodes of an asset the parts of a loaded object. */
+static dm_result load_whole(body* b, dm_object object) {
+    whole_find_members(b);
+    const dm_result result = whole_take_paths(b, object);
+    return result == DM_OK && !parts_are_known(b) ? DM_ERROR_NOT_FOUND : result;
+}
+
 dm_result body_load(body* b) {
     if (b->walking) return DM_ERROR_UNSUPPORTED;
     body_unload(b);
-    body_find_parts(b);
-    if (!parts_are_known(b)) return DM_ERROR_NOT_FOUND;
+    body_find_parts(b); /* until 0.2 every mesh was a part where none was marked */
+    const bool known = parts_are_known(b);
+    if (!known && body_is_marked(b)) return DM_ERROR_NOT_FOUND;
     const gd_value* dmo = &b->properties[PROPERTY_DMO];
     dm_object object = 0;
     dm_result result =
         dm_object_load(library_context(), gd_bytes(dmo), (size_t)gd_count(dmo), library_model(), &object);
-    if (result == DM_OK) result = take(b, object);
+    if (result != DM_OK) return result;
+    if (!known) result = load_whole(b, object);
+    if (result == DM_OK)
+        result = take(b, object);
+    else
+        dm_object_destroy(library_context(), object);
     if (result != DM_OK) body_unload(b);
     return result;
 }

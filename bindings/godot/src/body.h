@@ -1,4 +1,6 @@
-/* The node DragMeshBody3D: an object whose parts are nodes below it. Its frame is the object frame. */
+/* The node DragMeshBody3D: an object whose parts are nodes below it. Its frame is the object frame.
+ *
+ * Parts are marked, by the properties `parts` or `body`, or found out: then all nodes are handed over as one asset. */
 #ifndef DRAGMESH_GODOT_BODY_H
 #define DRAGMESH_GODOT_BODY_H
 
@@ -23,9 +25,9 @@ typedef struct settings {
 } settings;
 
 typedef struct part {
-    uint32_t id, parent; /* id: place + 1; parent 0: the body */
-    GDObjectInstanceID node;
-    affine rest; /* of the node, object frame */
+    uint32_t id, parent;     /* id: place + 1; parent 0: the body */
+    GDObjectInstanceID node; /* that it is called by */
+    affine rest;             /* of the node, object frame */
     settings settings;
     bool locked;
 
@@ -35,6 +37,17 @@ typedef struct part {
     bool held, by_mouse; /* by_mouse: each frame's ray pulls it */
     uint32_t events;     /* not yet told */
 } part;
+
+/* A node whose place the body knows: that of a marked part; of an asset, every one. Those above come before those
+ * below. */
+typedef struct member {
+    GDObjectInstanceID node;
+    affine rest;    /* object frame */
+    uint32_t part;  /* id of the part that it goes with; 0 = the body */
+    uint32_t above; /* place + 1 of the nearest member above it in the scene; 0 = none */
+    bool solid;     /* it has triangles that were looked at */
+    bool placed;    /* it goes with something else than what is above it */
+} member;
 
 enum {
     PROPERTY_PARTS,
@@ -55,6 +68,9 @@ typedef struct body {
     gd_value properties[PROPERTIES];
     part* parts;
     uint32_t part_count;
+    member* members;
+    uint32_t member_count;
+    bool whole;  /* the parts are found out, not marked */
     int walking; /* how many functions go through the parts and call nodes, whose scripts may call this one */
     preparation* preparation; /* while one runs */
     float told_progress;
@@ -72,23 +88,56 @@ gd_value body_self(const body* b);
 
 /* ---- parts: parts.c ---- */
 
-/* Reads which nodes are parts, where they rest and how they behave. */
+/* Whether the properties say which nodes are parts. */
+bool body_is_marked(const body* b);
+/* Reads which nodes are parts, where they rest and how they behave: what is marked, and every other mesh but the one
+ * that stays. */
 void body_find_parts(body* b);
 void body_forget_parts(body* b);
 part* body_part(body* b, uint32_t id);
-/* The part that a node is; NULL: none. */
+/* The part that a node is, or in an asset is of; NULL: none. */
 part* body_part_of(body* b, const gd_value* node);
 gd_value part_node(const part* p);
-/* Where the nodes of the parts are, in order of id: strings. */
-gd_value body_part_paths(const body* b);
 /* Mesh and hints of all nodes; NULL without memory. */
 preparation* body_collect(body* b);
+/* All nodes of a class below the body, those above before those below: an Array. */
+gd_value body_nodes(const body* b, const char* class_name);
+/* The diagonal of a node's box at rest, squared. */
+double body_size_of(const body* b, const gd_value* node);
+/* Describes a part that is found out. */
+void body_fill_part(part* p, uint32_t id, const member* m);
+/* A property as text of malloc; NULL without memory. */
+char* body_text_of(const gd_value* object, const char* property);
+/* "above/name", with another letter between; frees both; NULL without memory. */
+char* body_joined(char* above, char* name, char between);
+
+/* ---- places: places.c ---- */
+
+/* Makes members of the nodes of marked parts, each placed by itself. */
+void body_place_marked(body* b);
+/* Finds what is above each member. */
+void body_find_above(body* b);
+/* Whether a part is another, or is carried by it, over whatever is between them. */
+bool part_is_carried_by(body* b, const part* p, const part* other);
+/* Where the nodes of the parts are, in order of id: strings. Of an asset, each has the nodes of a part, and a last one
+ * those of the body. */
+gd_value body_part_paths(const body* b);
 /* Where a node is in the object frame. */
 affine body_place_of(const body* b, const gd_value* node);
 /* Moves the nodes of a part and of what it carries to where they are now. */
 void body_show(body* b, part* p);
 /* The pose of what carries a part, from rest. */
 dm_pose body_carrier(body* b, const part* p);
+
+/* ---- parts that are found out: whole.c ---- */
+
+/* Reads all nodes as those of one asset; what the parts are is not known yet. */
+void whole_find_members(body* b);
+/* The nodes with their meshes; NULL without memory. */
+preparation* whole_collect(body* b);
+/* Makes the parts that the answer says, or that the property `dmo_parts` says of a loaded object. */
+dm_result whole_take_answer(body* b, const preparation* p, dm_object object);
+dm_result whole_take_paths(body* b, dm_object object);
 
 /* ---- objects: body.c ---- */
 

@@ -114,6 +114,24 @@ static gd_value part_nodes(void* self, const gd_value* const* a) {
     return out;
 }
 
+static gd_value nodes_of(void* self, const gd_value* const* a) {
+    const body* b = self;
+    gd_value out = gd_new(GDEXTENSION_VARIANT_TYPE_ARRAY);
+    const part* p = part_in(self, a[0], "nodes_of");
+    for (uint32_t i = 0; p && i < b->member_count; i++) {
+        const member* m = &b->members[i];
+        if (m->part == p->id && (m->solid || !b->whole)) gd_append(&out, gd_node(m->node));
+    }
+    return out;
+}
+
+static gd_value carrier(void* self, const gd_value* const* a) {
+    body* b = self;
+    const part* p = part_in(b, a[0], "carrier");
+    const part* above = p ? body_part(b, p->parent) : NULL;
+    return above ? part_node(above) : gd_nil();
+}
+
 static gd_value library_memory(void* self, const gd_value* const* a) {
     (void)self, (void)a;
     dm_memory_info info = dm_memory_info_default();
@@ -520,6 +538,8 @@ static const gd_method_row methods[] = {
     {"cancel", cancel, NONE, false, {{0}}},
     {"is_prepared", is_prepared, BOOL, false, {{0}}},
     {"part_nodes", part_nodes, ARRAY, false, {{0}}},
+    {"nodes_of", nodes_of, ARRAY, false, {NODE}},
+    {"carrier", carrier, GDEXTENSION_VARIANT_TYPE_OBJECT, false, {NODE}},
     {"library_memory", library_memory, INT, false, {{0}}},
     {"joint", joint, DICTIONARY, false, {NODE}},
     {"hypotheses", hypotheses, ARRAY, false, {NODE}},

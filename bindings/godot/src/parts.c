@@ -1,4 +1,4 @@
-/* Which nodes are parts, what they tell of their joints, and where they are put. */
+/* Which nodes are marked as parts, and what they tell of their joints. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,12 +9,7 @@
 #define SAME_PLACE 1e-5 /* m between the origins of two nodes that are one; by hand */
 
 gd_value part_node(const part* p) {
-    return gd_of_object(gd.object_get_instance_from_id(p->node));
-}
-
-static GDObjectInstanceID id_of(const gd_value* object) {
-    const GDExtensionObjectPtr pointer = gd_object(object);
-    return pointer ? gd.object_get_instance_id(pointer) : 0;
+    return gd_node(p->node);
 }
 
 part* body_part(body* b, uint32_t id) {
@@ -22,36 +17,12 @@ part* body_part(body* b, uint32_t id) {
 }
 
 part* body_part_of(body* b, const gd_value* node) {
-    const GDObjectInstanceID id = id_of(node);
+    const GDObjectInstanceID id = gd_id(node);
     for (uint32_t i = 0; id && i < b->part_count; i++)
         if (b->parts[i].node == id) return &b->parts[i];
+    for (uint32_t i = 0; id && b->whole && i < b->member_count; i++)
+        if (b->members[i].node == id) return body_part(b, b->members[i].part);
     return NULL;
-}
-
-static gd_value parent_of(const gd_value* node) {
-    return gd_call(node, "get_parent", 0, NULL);
-}
-
-static affine transform_of(const gd_value* node) {
-    affine out = affine_identity();
-    gd_value transform = gd_get(node, "transform");
-    if (gd_is(&transform, GDEXTENSION_VARIANT_TYPE_TRANSFORM3D)) gd_transform(&transform, out.m);
-    gd_free(&transform);
-    return out;
-}
-
-affine body_place_of(const body* b, const gd_value* node) {
-    affine place = affine_identity();
-    gd_value above = gd_copy(node);
-    while (gd_object(&above) && gd_object(&above) != b->object) {
-        const affine own = transform_of(&above);
-        place = affine_after(&own, &place);
-        gd_value parent = parent_of(&above);
-        gd_free(&above);
-        above = parent;
-    }
-    gd_free(&above);
-    return place;
 }
 
 /* The part that a node belongs to: itself or the nearest above it; NULL: the body. */
@@ -61,7 +32,7 @@ static part* owner_of(body* b, const gd_value* node) {
     while (gd_object(&above) && gd_object(&above) != b->object) {
         found = body_part_of(b, &above);
         if (found) break;
-        gd_value parent = parent_of(&above);
+        gd_value parent = gd_parent(&above);
         gd_free(&above);
         above = parent;
     }
@@ -69,18 +40,16 @@ static part* owner_of(body* b, const gd_value* node) {
     return found;
 }
 
-/* All nodes with a mesh below the body, those above before those below. */
-static gd_value mesh_nodes(const body* b) {
+gd_value body_nodes(const body* b, const char* class_name) {
     gd_value self = body_self(b);
-    const gd_value arguments[4] = {gd_of_text("*"), gd_of_text("MeshInstance3D"), gd_of_bool(true), gd_of_bool(false)};
+    gd_value arguments[4] = {gd_of_text("*"), gd_of_text(class_name), gd_of_bool(true), gd_of_bool(false)};
     const gd_value nodes = gd_call(&self, "find_children", 4, arguments);
-    for (int i = 0; i < 4; i++) gd_free((gd_value*)&arguments[i]);
+    for (int i = 0; i < 4; i++) gd_free(&arguments[i]);
     gd_free(&self);
     return nodes;
 }
 
-/* The diagonal of its box at rest, squared. */
-static double size_of(const body* b, const gd_value* node) {
+double body_size_of(const body* b, const gd_value* node) {
     gd_value box = gd_call(node, "get_aabb", 0, NULL), size = gd_get(&box, "size");
     const affine place = body_place_of(b, node);
     double sides[3], sum = 0;
@@ -95,19 +64,26 @@ static double size_of(const body* b, const gd_value* node) {
     return sum;
 }
 
+bool body_is_marked(const body* b) {
+    char* stays = gd_text(&b->properties[PROPERTY_BODY]);
+    const bool marked = gd_count(&b->properties[PROPERTY_PARTS]) > 0 || (stays && *stays);
+    free(stays);
+    return marked;
+}
+
 /* The node that stays: the one that the property names, else the largest. */
 static GDObjectInstanceID body_node(const body* b, const gd_value* nodes) {
     gd_value self = body_self(b), named = gd_call(&self, "get_node_or_null", 1, &b->properties[PROPERTY_BODY]);
-    GDObjectInstanceID chosen = id_of(&named);
-    if (chosen == id_of(&self)) chosen = 0; /* an empty path */
+    GDObjectInstanceID chosen = gd_id(&named);
+    if (chosen == gd_id(&self)) chosen = 0; /* an empty path */
     gd_free(&named);
     gd_free(&self);
     if (chosen) return chosen;
     double largest = -1;
     for (int64_t i = 0; i < gd_count(nodes); i++) {
         gd_value node = gd_at(nodes, i);
-        const double size = size_of(b, &node);
-        if (size > largest) largest = size, chosen = id_of(&node);
+        const double size = body_size_of(b, &node);
+        if (size > largest) largest = size, chosen = gd_id(&node);
         gd_free(&node);
     }
     return chosen;
@@ -117,9 +93,15 @@ static void add_part(body* b, const gd_value* node, const gd_value* entry) {
     part* p = &b->parts[b->part_count];
     memset(p, 0, sizeof *p);
     p->id = ++b->part_count;
-    p->node = id_of(node);
+    p->node = gd_id(node);
     p->rest = body_place_of(b, node);
     settings_read(&p->settings, entry, &p->locked);
+}
+
+void body_fill_part(part* p, uint32_t id, const member* m) {
+    gd_value none = gd_nil();
+    p->id = id, p->node = m->node, p->rest = m->rest;
+    settings_read(&p->settings, &none, &p->locked);
 }
 
 /* The node that a NodePath names, from the body on; nil: none. */
@@ -137,18 +119,12 @@ static void add_listed_part(body* b, const gd_value* entry) {
     gd_free(&path);
 }
 
-/* Whether a part is carried by another, over whatever is between them. */
-static bool is_carried_by(body* b, const part* p, const part* other) {
-    while (p && p != other) p = body_part(b, p->parent);
-    return p != NULL;
-}
-
 /* What an entry says of other parts: what carries it, what opens its latch. */
 static void find_others(body* b, const gd_value* entry) {
     gd_value path = gd_get(entry, "node"), node = node_at(b, &path), handles = gd_get(entry, "handles");
     gd_value carrier_path = gd_get(entry, "carrier"), carrier_node = node_at(b, &carrier_path);
     part *p = body_part_of(b, &node), *carrier = body_part_of(b, &carrier_node);
-    if (p && carrier && !is_carried_by(b, carrier, p)) p->parent = carrier->id;
+    if (p && carrier && !part_is_carried_by(b, carrier, p)) p->parent = carrier->id;
     for (int64_t i = 0; p && i < gd_count(&handles) && i < HANDLES; i++) {
         gd_value handle_path = gd_at(&handles, i), handle = node_at(b, &handle_path);
         const part* found = body_part_of(b, &handle);
@@ -172,7 +148,10 @@ static bool is_listed(body* b, const gd_value* node, uint32_t count) {
 void body_forget_parts(body* b) {
     for (uint32_t i = 0; i < b->part_count; i++) part_end(&b->parts[i]);
     free(b->parts);
+    free(b->members);
     b->parts = NULL, b->part_count = 0;
+    b->members = NULL, b->member_count = 0;
+    b->whole = false;
 }
 
 void body_find_parts(body* b) {
@@ -180,7 +159,7 @@ void body_find_parts(body* b) {
     b->walking++;
     const gd_value* listed = &b->properties[PROPERTY_PARTS];
     const int64_t listed_count = gd_count(listed);
-    gd_value nodes = mesh_nodes(b);
+    gd_value nodes = body_nodes(b, "MeshInstance3D");
     const int64_t mesh_count = gd_count(&nodes), most = listed_count + mesh_count;
     b->parts = calloc((size_t)most + 1, sizeof *b->parts);
     for (int64_t i = 0; b->parts && i < listed_count; i++) {
@@ -192,12 +171,12 @@ void body_find_parts(body* b) {
     const GDObjectInstanceID stays = body_node(b, &nodes);
     for (int64_t i = 0; b->parts && i < mesh_count; i++) {
         gd_value node = gd_at(&nodes, i), none = gd_nil();
-        if (id_of(&node) != stays && !is_listed(b, &node, listed_parts)) add_part(b, &node, &none);
+        if (gd_id(&node) != stays && !is_listed(b, &node, listed_parts)) add_part(b, &node, &none);
         gd_free(&node);
     }
     gd_free(&nodes);
     for (uint32_t i = 0; b->parts && i < b->part_count; i++) {
-        gd_value node = part_node(&b->parts[i]), above = parent_of(&node);
+        gd_value node = part_node(&b->parts[i]), above = gd_parent(&node);
         const part* carrier = owner_of(b, &above);
         b->parts[i].parent = carrier ? carrier->id : 0;
         gd_free(&above);
@@ -208,16 +187,16 @@ void body_find_parts(body* b) {
         find_others(b, &entry);
         gd_free(&entry);
     }
+    body_place_marked(b);
     b->walking--;
 }
 
-/* "above/name"; frees both; NULL without memory. */
-static char* joined(char* above, char* name) {
+char* body_joined(char* above, char* name, char between) {
     const size_t first = above ? strlen(above) : 0, second = name ? strlen(name) : 0;
     char* text = above && name ? malloc(first + second + 2) : NULL;
     if (text) {
         memcpy(text, above, first); /* NOLINT(bugprone-not-null-terminated-result): more follows */
-        text[first] = '/';
+        text[first] = between;
         memcpy(text + first + 1, name, second + 1);
     }
     free(above);
@@ -225,7 +204,7 @@ static char* joined(char* above, char* name) {
     return text;
 }
 
-static char* text_of(const gd_value* object, const char* property) {
+char* body_text_of(const gd_value* object, const char* property) {
     gd_value value = gd_get(object, property);
     char* text = gd_text(&value);
     gd_free(&value);
@@ -234,36 +213,22 @@ static char* text_of(const gd_value* object, const char* property) {
 
 /* The names of the nodes from the body down to the part, and of its mesh. */
 static char* label_of(const body* b, const gd_value* node) {
-    char* label = text_of(node, "name");
+    char* label = body_text_of(node, "name");
     gd_value above = gd_copy(node), mesh = gd_get(node, "mesh");
     while (gd_object(&above) && gd_object(&above) != b->object) {
-        gd_value parent = parent_of(&above);
+        gd_value parent = gd_parent(&above);
         gd_free(&above);
         above = parent;
-        if (gd_object(&above)) label = joined(text_of(&above, "name"), label);
+        if (gd_object(&above)) label = body_joined(body_text_of(&above, "name"), label, '/');
     }
-    char* mesh_name = gd_object(&mesh) ? text_of(&mesh, "resource_name") : NULL;
+    char* mesh_name = gd_object(&mesh) ? body_text_of(&mesh, "resource_name") : NULL;
     if (mesh_name && *mesh_name)
-        label = joined(label, mesh_name);
+        label = body_joined(label, mesh_name, '/');
     else
         free(mesh_name);
     gd_free(&mesh);
     gd_free(&above);
     return label;
-}
-
-gd_value body_part_paths(const body* b) {
-    gd_value paths = gd_new(GDEXTENSION_VARIANT_TYPE_PACKED_STRING_ARRAY), self = body_self(b);
-    for (uint32_t i = 0; i < b->part_count; i++) {
-        gd_value node = part_node(&b->parts[i]), path = gd_call(&self, "get_path_to", 1, &node);
-        char* text = gd_text(&path);
-        if (text) gd_append(&paths, gd_of_text(text));
-        free(text);
-        gd_free(&path);
-        gd_free(&node);
-    }
-    gd_free(&self);
-    return paths;
 }
 
 static void add_node(body* b, preparation* p, const gd_value* node) {
@@ -291,9 +256,9 @@ static bool pivots_are_lost(const body* b, const gd_value* nodes) {
 }
 
 preparation* body_collect(body* b) {
-    preparation* p = preparation_new(b->part_count);
+    preparation* p = preparation_new(b->part_count, 0);
     if (!p) return NULL;
-    gd_value nodes = mesh_nodes(b);
+    gd_value nodes = body_nodes(b, "MeshInstance3D");
     for (int64_t i = 0; i < gd_count(&nodes); i++) {
         gd_value node = gd_at(&nodes, i);
         add_node(b, p, &node);
@@ -310,39 +275,4 @@ preparation* body_collect(body* b) {
         gd_free(&node);
     }
     return p;
-}
-
-static dm_pose identity_pose(void) {
-    return (dm_pose){.real = {0, 0, 0, 1}};
-}
-
-dm_pose body_carrier(body* b, const part* p) {
-    const part* carrier = body_part(b, p->parent);
-    dm_pose out = identity_pose();
-    if (!carrier) return out;
-    const dm_pose above = body_carrier(b, carrier), own = carrier->moved ? carrier->state.pose : out;
-    dm_pose_multiply(&above, &own, &out);
-    return out;
-}
-
-void body_show(body* b, part* p) {
-    const dm_pose own = p->moved ? p->state.pose : identity_pose(), above = body_carrier(b, p);
-    dm_pose pose;
-    b->walking++;
-    dm_pose_multiply(&above, &own, &pose);
-    gd_value node = part_node(p), parent = parent_of(&node);
-    if (gd_object(&node)) {
-        const affine moved = affine_of_pose(&pose), wanted = affine_after(&moved, &p->rest);
-        const affine from = body_place_of(b, &parent), back = affine_inverse(&from),
-                     local = affine_after(&back, &wanted);
-        gd_value transform = gd_of_transform(local.m);
-        gd_do(&node, "set_transform", 1, &transform);
-        gd_free(&transform);
-    }
-    gd_free(&parent);
-    gd_free(&node);
-    if (b->scene) dm_scene_move(library_context(), b->scene, b->instance, p->id, &pose);
-    for (uint32_t i = 0; i < b->part_count; i++)
-        if (b->parts[i].parent == p->id) body_show(b, &b->parts[i]);
-    b->walking--;
 }

@@ -92,6 +92,7 @@ func make_cabinet() -> Node3D:
 	kitchen.prepare_when_ready = false
 	kitchen.use_pivots = false
 	kitchen.release_by_rule = true
+	kitchen.body = NodePath("cabinet/body") # every other mesh is a part, as in C
 	var cabinet := Node3D.new()
 	cabinet.name = "cabinet"
 	kitchen.add_child(cabinet)

@@ -116,9 +116,11 @@ func line_of(kind: int) -> Material:
 ## The box of a part and what hangs below it, in the frame of the body.
 static func box_of(body: Node3D, part: Node3D) -> AABB:
 	var to_body := body.global_transform.affine_inverse()
-	var shown := part.find_children("*", "VisualInstance3D", true, false)
-	if part is VisualInstance3D:
-		shown.append(part)
+	var shown: Array[Node] = []
+	for node: Node3D in body.nodes_of(part):
+		shown.append_array(node.find_children("*", "VisualInstance3D", true, false))
+		if node is VisualInstance3D:
+			shown.append(node)
 	var box := AABB(to_body * part.global_position, Vector3.ZERO)
 	for i in shown.size():
 		var own: AABB = to_body * shown[i].global_transform * shown[i].get_aabb()
