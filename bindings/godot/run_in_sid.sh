@@ -47,6 +47,10 @@ grep -q '; 0 failures$' "$out/room.txt"
 echo "== saving, networking, physics"
 godot --fixed-fps 60 --script handover.gd 2> "$out/handover.log" | sed '/^Godot Engine/,/^$/d'
 
+echo "== scenes in which nothing is marked"
+godot --script whole.gd 2> "$out/whole.log" | sed '/^Godot Engine/,/^$/d' | tee "$out/whole.txt"
+! grep -q '^FAILED' "$out/whole.txt" && grep -q '^ok: cancelled' "$out/whole.txt"
+
 echo "== reloads"
 godot --editor --script reload.gd > "$out/reload.log" 2>&1 || { grep -v '^.\[\|^\[' "$out/reload.log" | tail -n 20 >&2; exit 1; }
 grep ' rounds: ' "$out/reload.log"
