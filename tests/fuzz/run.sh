@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# tests/fuzz/run.sh FOLDER — every input of tests/fuzz/corpus, and a fixed number of mutations of them by a fixed seed, through
-# the fuzz targets in FOLDER (build/asan/fuzz), as many at once as there are processors. In all about two minutes on two
-# processors. tests/fuzz/run_long.sh is for finding more.
+# tests/fuzz/run.sh FOLDER — runs every input of the archives in tests/fuzz/corpus, and a fixed number of mutations of them by
+# a fixed seed, through the fuzz targets in FOLDER (build/asan/fuzz), as many at once as there are processors. It takes about
+# two minutes of two processors. tests/fuzz/run_long.sh is for finding more.
 set -euo pipefail
 folder=$1
 cd "$(dirname "$0")/../.."
@@ -22,7 +22,7 @@ fuzz_words 600
 "
 run() {
     local target=$1 count=$2
-    if "$folder/$target" -n "$count" "tests/fuzz/corpus/$target" > "$work/$target" 2>&1; then
+    if "$folder/$target" -n "$count" "build/fuzz/corpus/$target" > "$work/$target" 2>&1; then
         echo "$target: $(tail -n 1 "$work/$target")"
     else
         cat "$work/$target"
@@ -33,6 +33,7 @@ run() {
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 diff <(basename -s .c tests/fuzz/fuzz_*.c | sort) <(awk 'NF { print $1 }' <<< "$mutations" | sort)
+tests/fuzz/corpus.sh unpack
 export -f run
 export folder work
 awk 'NF { print $1, $2 }' <<< "$mutations" | xargs -P "$(nproc)" -L 1 bash -c 'run "$@"' run

@@ -2,8 +2,8 @@
 # tests/fuzz/run_long.sh WORK [ROUNDS [SECONDS [target…]]] — fuzzes every target in turn, for SECONDS each (default 300), ROUNDS
 # times (default 0: until it is killed). Run it again with the same WORK to go on: the inputs found so far stay there.
 #
-# Takes the programs of `scripts/build fuzz`. Leaves in WORK:
-#   corpus/TARGET      inputs that reached something new
+# Takes the programs of `scripts/build fuzz`, and begins with the inputs of tests/fuzz/corpus. Leaves in WORK:
+#   corpus/TARGET      inputs that reached something new; tests/fuzz/corpus.sh adds those that are worth keeping
 #   findings/TARGET-*  inputs that crashed, hung or took too much memory; each fails again by `build/fuzz/fuzz/TARGET FILE`
 #   logs/TARGET        what libFuzzer said last
 # Appends a line a slice to tests/fuzz/hours.tsv (tests/fuzz/hours.sh sums them): date, commit, target, CPU seconds, inputs,
@@ -41,13 +41,14 @@ fuzz() {
     TIMEFORMAT='%U %S'
     times=$( { time "build/fuzz/fuzz/$target" -max_total_time="$seconds" -timeout=$time_limit -rss_limit_mb=$memory_limit \
         -print_final_stats=1 -reload=0 -artifact_prefix="$work/findings/$target-" "${options[@]}" "$corpus" \
-        "tests/fuzz/corpus/$target" > "$output" 2>&1 || true; } 2>&1 )
+        "build/fuzz/corpus/$target" > "$output" 2>&1 || true; } 2>&1 )
     printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$(date -u +%FT%TZ)" "$(git rev-parse --short HEAD)" "$target" \
         "$(awk '{ print int($1 + $2) }' <<< "$times")" "$(awk '/^stat::number_of_executed_units/ { n = $2 } END { print n + 0 }' "$output")" \
         "$(grep -o 'cov: [0-9]*' "$output" | awk '{ n = $2 } END { print n + 0 }')" "$(count_findings "$target" "$mark")" >> "$log"
 }
 
 [ -x "build/fuzz/fuzz/${targets[0]}" ] || { echo "$0: scripts/build fuzz first" >&2; exit 1; }
+tests/fuzz/corpus.sh unpack "${targets[@]}"
 before=$(find "$work/findings" -type f | wc -l)
 for ((round = 1; rounds == 0 || round <= rounds; round++)); do
     for target in "${targets[@]}"; do fuzz "$target"; done
