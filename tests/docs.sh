@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # tests/docs.sh — checks the documentation: no line is longer than 120 characters outside tables and fenced code,
-# every relative link names a file or folder that exists, so does every path in code style outside docs/research, and
-# code that names its file (```c FILE, ```cpp FILE …) stands in it as one piece; code of docs/engines names a file that a test runs.
+# every relative link names a file or folder that exists and a heading that it has, so does every path in code style outside
+# docs/research, and code that names its file (```c FILE, ```cpp FILE …) stands in it as one piece; code of docs/engines names a file that a test runs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 files=$(find docs -name '*.md'; find samples bindings -name README.md; ls README.md CHANGELOG.md CONTRIBUTING.md sdk/models/README.md \
@@ -13,14 +13,25 @@ long=$(LC_ALL=C awk 'FNR == 1 { code = 0 }
     { gsub(/[\200-\277]/, "") }
     !code && !/^\|/ && length() > 120 { print FILENAME ":" FNR ": " length() " characters, at most 120" }' $files)
 
+# The anchors of a page: headings in small letters without punctuation, blanks as hyphens; a heading that comes again has -1.
+anchors() { # PAGE
+    awk '/^ *```/ { code = !code }
+        !code && /^#+ / { sub(/^#+ /, ""); gsub(/\]\([^)]*\)/, ""); s = tolower($0)
+            gsub(/[^a-z0-9_ \200-\377-]/, "", s); gsub(/ /, "-", s); print s (n[s]++ ? "-" n[s] - 1 : "") }' "$1"
+}
+
 broken=$(awk 'FNR == 1 { code = 0 }
     /^ *```/ { code = !code }
     !code { while (match($0, /\]\([^) ]+\)/)) {
         print FILENAME, FNR, substr($0, RSTART + 2, RLENGTH - 3); $0 = substr($0, RSTART + RLENGTH) } }' $files |
     while read -r file line link; do
-        case $link in *://* | mailto:* | \#*) continue ;; esac
-        path=$(realpath -m --relative-to=. "$(dirname "$file")/${link%%#*}")
-        [ -e "$path" ] || echo "$file:$line: link to $link, which does not exist"
+        case $link in *://* | mailto:*) continue ;; \#*) path=$file ;;
+        *) path=$(realpath -m --relative-to=. "$(dirname "$file")/${link%%#*}") ;; esac
+        if [ ! -e "$path" ]; then
+            echo "$file:$line: link to $link, which does not exist"
+        elif [[ $link == *.md#* || $link == \#* ]] && ! anchors "$path" | grep -qxF -- "${link#*#}"; then
+            echo "$file:$line: link to $link, a heading that $path has not"
+        fi
     done)
 
 # Capitals stand for a name that the reader fills in; training/runs is made by training.
