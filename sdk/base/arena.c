@@ -6,7 +6,7 @@
 struct dmi_arena_block {
     dmi_arena_block* next;
     size_t capacity, used; /* bytes after the header */
-    uint64_t number;       /* of the arena's blocks, the oldest is 1 */
+    uint64_t number;       /* number of the block in its arena; the oldest is 1 */
 };
 
 #define HEADER_SIZE ((sizeof(dmi_arena_block) + DMI_ALIGNMENT - 1) / DMI_ALIGNMENT * DMI_ALIGNMENT)

@@ -15,7 +15,7 @@ typedef struct dmi_arena {
 
 /* Fill state of an arena; zeros: empty. */
 typedef struct dmi_arena_mark {
-    size_t used; /* of the block in use */
+    size_t used; /* bytes of the block in use */
     uint64_t added;
 } dmi_arena_mark;
 

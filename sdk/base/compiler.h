@@ -7,7 +7,7 @@
 
 #if defined(__GNUC__) || defined(__clang__)
 
-/* Before `static inline`: inlined although called often. */
+/* Stands before `static inline`: the function is inlined although it is called often. */
 #define DMI_ALWAYS_INLINE __attribute__((always_inline))
 /* Asks for the line of the cache at an address, which need not be readable. */
 #define DMI_PREFETCH(address) __builtin_prefetch(address)
@@ -24,17 +24,17 @@
 #endif
 /* A vector of `lanes` numbers, with C's operators: typedef DMI_VECTOR(float, 4) lanes; */
 #define DMI_VECTOR(type, lanes) type __attribute__((vector_size((lanes) * sizeof(type))))
-/* Before functions that return vectors: as long as they are always inlined, no calling convention matters. */
+/* Stands before functions that return vectors: as long as they are always inlined, no calling convention matters. */
 #define DMI_RETURNS_VECTORS _Pragma("GCC diagnostic ignored \"-Wpsabi\"")
 /* Whether the processor has a set and the operating system saves its registers. */
 #define DMI_CPU_HAS(set) __builtin_cpu_supports(set)
-/* Around headers of other libraries, which have warnings of their own. */
+/* Stand around headers of other libraries, which have warnings of their own. */
 #define DMI_FOREIGN_HEADERS_BEGIN                                                                                      \
     _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wconversion\"")                                  \
         _Pragma("GCC diagnostic ignored \"-Wpedantic\"") _Pragma("GCC diagnostic ignored \"-Wunused-parameter\"")
 #define DMI_FOREIGN_HEADERS_END _Pragma("GCC diagnostic pop")
 
-/* Before a variable: calls function(&variable) where its block is left, by return too. */
+/* Stands before a variable: calls function(&variable) where its block is left, by return too. */
 #define DMI_AT_EXIT(function) __attribute__((cleanup(function), unused))
 
 /* The processor's floating-point control; 0 where it has none that matters. */
@@ -84,7 +84,7 @@ static inline uint32_t dmi_floor_log2(uint64_t value) {
 #define DMI_FOREIGN_HEADERS_END
 #define DMI_AT_EXIT(function)
 
-/* Without DMI_AT_EXIT nothing would be restored: nothing is changed. */
+/* Changes nothing, because nothing would be restored without DMI_AT_EXIT. */
 static inline uint64_t dmi_fp_control(void) {
     return 0;
 }

@@ -109,7 +109,7 @@ typedef struct host_tasks {
     uint32_t count;
     _Atomic uint32_t run[WORDS];   /* a bit a task */
     _Atomic bool wrong;            /* a task was run again, or is none of them */
-    _Atomic uint32_t wrong_number; /* of that task */
+    _Atomic uint32_t wrong_number; /* that task's number */
 } host_tasks;
 
 static bool has_run(const host_tasks* given, uint32_t index) {

@@ -14,7 +14,7 @@ typedef struct dmi_kept_block dmi_kept_block;
 typedef struct dmi_kept {
     atomic_flag lock; /* a spin lock, held while the list is walked; no [frame] function takes it */
     dmi_kept_block* blocks;
-    size_t bytes, count; /* of the list */
+    size_t bytes, count; /* bytes and blocks of the list */
     size_t most;         /* bytes; 0: nothing is kept */
 } dmi_kept;
 
@@ -22,7 +22,7 @@ typedef struct dmi_env {
     dm_allocator allocator;
     dm_log log;
     dm_jobs jobs;
-    dm_progress_callback progress; /* of long calls; NULL: nobody asks */
+    dm_progress_callback progress; /* hears of long calls; NULL: nobody asks */
     void* progress_user;
     dmi_kept kept;
     _Atomic uint64_t bytes, peak_bytes, allocations, pick_bytes;

@@ -17,16 +17,16 @@
 
 typedef struct slot {
     _Atomic(void*) item;
-    _Atomic uint32_t generation; /* of the handle in use, or of the next one while the slot is free */
-    uint32_t next, previous;     /* in the list of live or of free slots; under the lock */
+    _Atomic uint32_t generation; /* generation of the handle in use, or of the next one while the slot is free */
+    uint32_t next, previous;     /* neighbours in the list of live or of free slots; read and written under the lock */
 } slot;
 
 struct dmi_pool {
     dmi_env* env;
     atomic_flag lock;
     uint8_t kind;
-    uint32_t first_generation;        /* of every slot */
-    uint32_t slot_count, chunk_count; /* under the lock */
+    uint32_t first_generation;        /* generation that every slot begins with */
+    uint32_t slot_count, chunk_count; /* read and written under the lock */
     uint32_t first_free, first_live;
     _Atomic(slot*) chunks[CHUNK_COUNT];
 };
@@ -180,7 +180,7 @@ static void put_free(dmi_pool* pool, uint32_t index) {
 
 /* Whether the handle has the kind and generation of the slot. */
 static bool matches(const dmi_pool* pool, const slot* s, uint64_t handle) {
-    const uint32_t generation = (uint32_t)(handle >> DMI_HANDLE_GENERATION_SHIFT); /* without the kind above it */
+    const uint32_t generation = (uint32_t)(handle >> DMI_HANDLE_GENERATION_SHIFT); /* drops the kind above it */
     return handle >> DMI_HANDLE_KIND_SHIFT == pool->kind &&
            atomic_load_explicit(&s->generation, memory_order_relaxed) == generation;
 }

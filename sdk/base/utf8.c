@@ -7,8 +7,8 @@
 /* Well-formed sequences by their first byte (Unicode 15, table 3-7): the second byte has a range of its own, those
  * after it are 80..BF. */
 typedef struct row {
-    uint8_t first, last; /* of the first byte */
-    uint8_t low, high;   /* of the second */
+    uint8_t first, last; /* range of the first byte */
+    uint8_t low, high;   /* range of the second */
     uint8_t length;
 } row;
 
