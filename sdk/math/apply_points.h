@@ -5,7 +5,7 @@
 #include "base/cpu.h"
 #include "math/dual_quat.h"
 
-/* As dmi_pose_apply_points; the machine must have `isa`. */
+/* Does what dmi_pose_apply_points does, by the kernels of `isa`, which the machine must have. */
 void dmi_pose_apply_points_isa(dmi_isa isa, const dm_pose* pose, const float* src, size_t src_stride, float* dst,
                                size_t dst_stride, size_t count);
 

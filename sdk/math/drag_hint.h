@@ -2,7 +2,7 @@
 #ifndef DMI_MATH_DRAG_HINT_H
 #define DMI_MATH_DRAG_HINT_H
 
-/* In the object-normalised frame. */
+/* A drag that is evidence for a joint, in the object-normalised frame. */
 typedef struct dmi_drag_hint {
     float point[3];
     float vector[3]; /* non-zero */

@@ -11,7 +11,7 @@
 #include "math/linear3.h"
 
 #define MIN_HALF_SINE 1e-7f  /* sine of half the angle below which a rotation is rounding noise: a translation */
-#define MIN_UNIT_LENGTH 0.5f /* of a quaternion that counts as unit; by hand, generous to accumulated rounding */
+#define MIN_UNIT_LENGTH 0.5f /* least length of a unit quaternion; by hand, generous to accumulated rounding */
 #define MAX_UNIT_LENGTH 2.0f
 
 /* out: neither a nor b. */
@@ -139,8 +139,8 @@ dmi_screw dmi_pose_to_screw(const dm_pose* pose) {
     const float s = dmi_length3(r);
     if (!(s > MIN_HALF_SINE)) return translation_screw(pose);
     dmi_screw screw = {.axis = {r[0] / s, r[1] / s, r[2] / s}, .angle = 2 * dmi_atan2f(s, r[3])};
-    /* With h half the distance, m = p x a the moment and c, s of half the angle, the dual part is (s m + h c a, -h s).
-     * c (d . a) - s d_w = h loses no digits at either end of the angles, as -d_w / s does near 0. */
+    /* Let h be half the distance, m = p x a the moment, and c, s those of half the angle. The dual part is (s m + h c
+     * a, -h s). c (d . a) - s d_w = h loses no digits at either end of the angles, as -d_w / s does near 0. */
     const float h = r[3] * dmi_dot3(d, screw.axis) - s * d[3];
     screw.distance = 2 * h;
     float moment[3];

@@ -15,10 +15,10 @@ typedef struct dmi_circlef {
     float cosine, sine;
 } dmi_circlef;
 
-/* Of doubles: relative error below 1e-13, of sine and cosine absolute. */
+/* Functions of doubles: their relative error is below 1e-13, that of sine and cosine absolute. */
 double dmi_exp(double x);
 double dmi_log(double x);
-/* Beyond 2^20 the angle is first taken modulo the double that is next to 2 pi. */
+/* Takes angles beyond 2^20 modulo the double that is next to 2 pi first. */
 dmi_circle dmi_circle_at(double x);
 double dmi_tan(double x);
 double dmi_atan2(double y, double x);
@@ -37,7 +37,7 @@ float dmi_asinf(float x);
 /* Turns scores into shares of 1, in place, by their exponentials. */
 void dmi_softmax(float* values, uint32_t count);
 
-/* As fmaxf and the like: the other one where one is NaN; b of two zeros. */
+/* Returns what fmaxf and the like return: the other one where one is NaN; b of two zeros. */
 static inline float dmi_fmaxf(float a, float b) {
     return a > b || b != b ? a : b;
 }

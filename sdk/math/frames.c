@@ -17,10 +17,10 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define ORTHOGONALITY_TOLERANCE 1e-4f /* of a product of two columns; by hand */
-#define MIN_SIZE 1e-18                /* of an object, metres or host units; by hand: its inverse square is a float */
-#define MAX_SIZE 1e18                 /* by hand: its square is a float */
-#define MAX_DISTANCE 1e37             /* of an object from its origin; by hand: sums of three of them are floats */
+#define ORTHOGONALITY_TOLERANCE 1e-4f /* largest product of two columns that counts as 0; by hand */
+#define MIN_SIZE 1e-18    /* size of an object, metres or host units; by hand: its inverse square is a float */
+#define MAX_SIZE 1e18     /* the same; by hand: its square is a float */
+#define MAX_DISTANCE 1e37 /* distance of an object from its origin; by hand: sums of three of them are floats */
 
 static const float preset_axes[][9] = {
     [DM_AXES_GLTF] = {1, 0, 0, 0, 1, 0, 0, 0, 1},

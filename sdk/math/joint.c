@@ -77,7 +77,7 @@ void dmi_joint_velocity(const dm_joint* joint, float value, const float rest_poi
     if (dmi_joint_turns(joint->type)) {
         float p[3];
         dmi_copy3(rest_point, p);
-        if (value != 0) { /* at rest every point is where it is */
+        if (value != 0) { /* a part at rest leaves every point where it is */
             const dm_pose pose = dmi_joint_pose(joint, value);
             dmi_pose_apply(&pose, rest_point, p);
         }

@@ -1,8 +1,8 @@
 /* Symmetric eigenproblems by Jacobi rotations, principal directions, perpendicular frames. */
 #include "math/linear3.h"
 
-#define MAX_SWEEPS 32          /* of Jacobi rotations; convergence takes under ten */
-#define JACOBI_TOLERANCE 1e-15 /* off-diagonal sum over the trace: rounding of doubles */
+#define MAX_SWEEPS 32          /* sweeps of Jacobi rotations; convergence takes under ten */
+#define JACOBI_TOLERANCE 1e-15 /* ratio of the off-diagonal sum to the trace: rounding of doubles */
 
 void dmi_perpendicular3(const float axis[3], float out_u[3], float out_w[3]) {
     int least = 0;

@@ -75,7 +75,7 @@ static inline void dmi_copy3(const float a[3], float out[3]) {
     glm_vec3_copy(dmi_glm(a), out);
 }
 
-/* As hypotf, but with the same bits from every C library. */
+/* Returns the length of (x, y), with the same bits whatever the C library. */
 static inline float dmi_length2(float x, float y) {
     return (float)sqrt((double)x * x + (double)y * y);
 }
