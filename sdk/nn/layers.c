@@ -6,7 +6,7 @@
 #include <string.h>
 
 #define MAX_NAME 96                     /* bytes of a tensor name, docs/networks.md has shorter ones */
-#define FORMAT_VERSION 1                /* of the weight files, docs/networks.md */
+#define FORMAT_VERSION 1                /* version of the weight files, docs/networks.md */
 #define BLOCK_SIZE ((size_t)256 * 1024) /* bytes of an arena block; by hand */
 
 dm_result dmi_load_network(dmi_env* env, const void* data, size_t size, const char* architecture,

@@ -4,7 +4,7 @@
 
 #include "nn/layers.h"
 
-#define DMI_PERCEPTRON_LAYERS 3 /* at most */
+#define DMI_PERCEPTRON_LAYERS 3 /* the most that one has */
 
 typedef struct dmi_perceptron {
     dmi_linear layers[DMI_PERCEPTRON_LAYERS];

@@ -4,7 +4,7 @@
 
 #include "nn/layers.h"
 
-#define DMI_ENSEMBLE_NODES 63 /* of a tree: at most 32 leaves */
+#define DMI_ENSEMBLE_NODES 63 /* nodes of a tree: at most 32 leaves */
 
 /* A split goes to the node `left` where the column is at most `value`, else to the node after it. A leaf is its own
  * left child and has an infinite value. */

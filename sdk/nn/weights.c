@@ -8,14 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LENGTH_BYTES 8 /* of the header length, as the format has it */
+#define LENGTH_BYTES 8 /* bytes of the header length, as the format has it */
 /* Bytes of the header; by hand: ours have about 10 KB. Bounds what a malicious file makes the JSON parser allocate. */
 #define MAX_HEADER ((size_t)1 << 20)
-#define MAX_TENSORS 4096 /* by hand: ours have under 200 */
-#define MAX_DIMENSIONS 8 /* by hand: ours have 2 */
+#define MAX_TENSORS 4096 /* set by hand: ours have under 200 */
+#define MAX_DIMENSIONS 8 /* set by hand: ours have 2 */
 
 typedef struct tensor {
-    const char* name;  /* in the JSON tree */
+    const char* name;  /* a string of the JSON tree */
     size_t begin, end; /* bytes, from the start of the tensors */
     uint32_t shape[MAX_DIMENSIONS];
     uint32_t dimensions;
