@@ -5,10 +5,10 @@
 #include "mesh/mesh.h"
 
 typedef struct dmi_part_query {
-    const dmi_mesh* mesh;         /* of dmi_mesh_create_pieces: its parts, when there are several, are rigid pieces */
-    float point[3];               /* on or near the surface; object-normalised */
-    float drag[3];                /* unit; zeros: none */
-    const dmi_progress* progress; /* of this search; NULL: none */
+    const dmi_mesh* mesh; /* made by dmi_mesh_create_pieces: its parts, when there are several, are rigid pieces */
+    float point[3];       /* a point on or near the surface; object-normalised */
+    float drag[3];        /* unit; zeros: none */
+    const dmi_progress* progress; /* hears of this search; NULL: none */
 } dmi_part_query;
 
 /* Sets out_faces[f] to 1 for the faces that move, to 0 for the others. DM_ERROR_FULL_MASK: every face would move. */

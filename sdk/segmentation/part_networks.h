@@ -5,7 +5,7 @@
 
 #include "nn/perceptron.h"
 
-#define DMI_PART_FINDER_ARCHITECTURE "dragmesh-part-finder" /* of the weights file */
+#define DMI_PART_FINDER_ARCHITECTURE "dragmesh-part-finder" /* name in the weights file */
 
 typedef struct dmi_part_networks {
     dmi_perceptron growth; /* DMI_NEIGHBOUR_FEATURES -> 16 -> log odds that the piece belongs to the region */

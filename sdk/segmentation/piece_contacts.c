@@ -11,7 +11,7 @@
 #define MAX_COMPARED 256
 #define MIN_COMPARED 16
 #define COMPARED_IN_ALL (1u << 22) /* the sum over all samples, where it asks for fewer than MAX_COMPARED; by hand */
-#define MIN_SLOTS 16               /* of a hash table; by hand */
+#define MIN_SLOTS 16               /* fewest slots of a hash table; by hand */
 #define BLOCK 16                   /* places that are compared at once; a power of two, 32 at most */
 #define ROUNDED_SQUARE 1.000001f   /* a square root's square is so much larger at most: 2^-23 twice, and to spare */
 #define NO_BYTE 0xff               /* memset value that makes every uint32_t DMI_PIECE_NONE */
@@ -42,7 +42,7 @@ typedef struct hash_grid {
     uint32_t* pieces;                             /* per place */
     float* points[3];                             /* per place */
     uint32_t (*contacts)[DMI_PIECE_MAX_CONTACTS]; /* per place: the pieces of its contacts */
-    float* block_reach; /* at the first place of each block of a bucket: no less than the reaches in the block */
+    float* block_reach; /* stands at the first place of each block of a bucket: no less than the reaches in the block */
     float* reach;       /* per place: square of the distance from which on another sample is no contact to keep */
     uint32_t mask;      /* buckets - 1 */
     uint32_t compared;  /* samples of a bucket that are compared with one sample */

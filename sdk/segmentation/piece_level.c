@@ -7,8 +7,8 @@
 
 #include "mesh/connectivity.h"
 
-#define WELD_DISTANCE 1e-5f         /* object sizes; by hand */
-#define CREASE_COSINE 0.8f          /* of the angle between normals (37 degrees) at which smooth regions end; by hand */
+#define WELD_DISTANCE 1e-5f /* object sizes; by hand */
+#define CREASE_COSINE 0.8f  /* cosine of the angle between normals (37 degrees) at which smooth regions end; by hand */
 #define REPEAT_AREA_TOLERANCE 1e-3f /* relative difference of the areas of repeated pieces; by hand */
 #define MIN_REPEAT_AREA 1e-5f       /* share of the whole area below which no piece counts as repeated; by hand */
 #define SHELLS_ONLY (-2)            /* cosine that makes dmi_face_regions connect over vertices */

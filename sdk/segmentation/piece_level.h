@@ -12,7 +12,7 @@ typedef struct dmi_mesh_sheets {
     uint32_t* welded; /* vertex -> the vertex that represents its position */
     uint32_t* labels; /* face -> sheet, as of dmi_face_sheets_and_fans */
     uint32_t* shells; /* face -> shell connected over shared vertices; a sheet lies in one shell */
-    uint32_t count;   /* of sheets */
+    uint32_t count;   /* number of sheets */
 } dmi_mesh_sheets;
 
 typedef struct dmi_piece_level {

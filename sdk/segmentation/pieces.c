@@ -10,9 +10,9 @@
 #define MESH_SAMPLES 12288   /* samples distributed over the whole mesh by area; by hand */
 #define MIN_PIECE_SAMPLES 16 /* samples added to every piece that has faces, whatever its area; by hand */
 #define ADDED_SAMPLES                                                                                                  \
-    32768 /* of all pieces: where there are more pieces than this allows for, each gets fewer; by hand */
+    32768 /* samples of all pieces: where there are more pieces than this allows for, each gets fewer; by hand */
 #define CONTACT_SPACINGS 1.25f /* contact distance in mean sample spacings; by hand */
-#define SAMPLE_SEED 1          /* of the random positions within faces; arbitrary */
+#define SAMPLE_SEED 1          /* seed of the random positions within faces; arbitrary */
 
 static dm_result out_of_memory(const dmi_arena* arena, const dmi_mesh* mesh) {
     return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to divide %u triangles into pieces",

@@ -18,7 +18,7 @@ typedef struct dmi_piece_contact {
 typedef struct dmi_piece_sample {
     float point[3], normal[3]; /* object-normalised; unit */
     uint32_t piece, contact_count;
-    dmi_piece_contact contacts[DMI_PIECE_MAX_CONTACTS]; /* at most one per other piece */
+    dmi_piece_contact contacts[DMI_PIECE_MAX_CONTACTS]; /* one per other piece at most */
 } dmi_piece_sample;
 
 typedef struct dmi_pieces {

@@ -4,7 +4,7 @@
 #include "math/elementary.h"
 #include "math/linear3.h"
 
-#define CELLS 8             /* along each side of the box; by hand */
+#define CELLS 8             /* cells along each side of the box; by hand */
 #define MIN_VARIANCE 1e-10f /* object sizes squared: avoids a division by zero */
 
 dmi_proposal_box dmi_proposal_box_fit(const float (*points)[3], uint32_t count) {

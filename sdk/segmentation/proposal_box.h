@@ -11,7 +11,7 @@
 typedef struct dmi_proposal_box {
     float centre[3];       /* mean of the samples */
     float axes[3][3];      /* unit rows, largest variance first */
-    float low[3], high[3]; /* along each axis, from the centre */
+    float low[3], high[3]; /* ends along each axis, from the centre */
     float radius;          /* root mean square distance of the samples from the centre */
     uint32_t samples;
 } dmi_proposal_box;

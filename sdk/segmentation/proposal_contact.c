@@ -7,7 +7,7 @@
 #include "math/linear3.h"
 #include "segmentation/contact_kind.h"
 
-#define DAMPING 0.02f     /* of the least squares, share of the matrix's trace; by hand */
+#define DAMPING 0.02f     /* damping of the least squares, share of the matrix's trace; by hand */
 #define MIN_DAMPING 1e-6f /* object sizes squared: keeps the matrix invertible; by hand */
 
 static const dmi_piece_contact* nearest_outside(const dmi_pieces* pieces, const uint8_t* inside,

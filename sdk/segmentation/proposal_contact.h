@@ -13,7 +13,7 @@ typedef struct dmi_proposal_contact {
     float rest_count;                        /* the rest's samples in contact with the part */
     float kinds[DMI_PROPOSAL_CONTACT_KINDS]; /* samples of each kind */
     float centre[3], square;                 /* sums of x and of |x|^2 */
-    float distance;                          /* in contact distances */
+    float distance;                          /* unit: contact distances */
     float normal[3][3], right[3], constant;  /* normal equations of the speeds, see dmi_proposal_contact_turn */
 } dmi_proposal_contact;
 

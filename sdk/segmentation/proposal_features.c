@@ -10,7 +10,7 @@
 #include "segmentation/remaining_components.h"
 
 #define MIN_AREA 1e-12f       /* object sizes squared: avoids a division by zero */
-#define MIN_AREA_SHARE 1e-9f  /* of the mesh's area, added to areas that are divided by; by hand */
+#define MIN_AREA_SHARE 1e-9f  /* share of the mesh's area, added to areas that are divided by; by hand */
 #define MIN_AREA_ADDED 1e-20f /* object sizes squared, added likewise for meshes without area */
 #define MAX_ODDS 8            /* clamp of log odds; by hand */
 #define MAX_AREA_RATIO 3.0f   /* clamp of areas and counts relative to the part's; by hand */
@@ -147,7 +147,7 @@ static void write_detached(const dmi_proposal* part, const dmi_remaining_compone
 
 static void write_repeats(const dmi_proposal* part, float area, float* out) {
     const dmi_piece_level* level = part->level;
-    float shares[2] = {0, 0}; /* with a repeat outside, inside */
+    float shares[2] = {0, 0}; /* those with a repeat outside, inside */
     for (uint32_t p = 0; p < level->pieces.count; p++) {
         bool found[2] = {false, false};
         if (!part->inside[p]) continue;

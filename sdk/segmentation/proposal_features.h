@@ -14,13 +14,13 @@ enum {
     DMI_PROPOSAL_LOWEST_ODDS,  /* log odds, as of dmi_proposal, clamped */
     DMI_PROPOSAL_LAST_ODDS,    /* likewise */
     DMI_PROPOSAL_NEXT_ODDS,    /* likewise */
-    DMI_PROPOSAL_SHEET_IS_CUT, /* as of the piece level */
+    DMI_PROPOSAL_SHEET_IS_CUT, /* the piece level's */
     DMI_PROPOSAL_CARRIED_AREA, /* share of the carried pieces */
     /* contact with the rest */
     DMI_PROPOSAL_CONTACTS,       /* samples in contact with the rest, per sample */
     DMI_PROPOSAL_REST_CONTACTS,  /* the rest's samples in contact with the part, per sample, clamped */
     DMI_PROPOSAL_CONTACT_SPREAD, /* root mean square distance of the contacts from their centre, in radii */
-    DMI_PROPOSAL_CONTACT_OFFSET, /* of the contacts' centre from the part's, in radii */
+    DMI_PROPOSAL_CONTACT_OFFSET, /* distance of the contacts' centre from the part's, in radii */
     DMI_PROPOSAL_CONCAVE,        /* share of the contacts; see dmi_contact_kind */
     DMI_PROPOSAL_CONVEX,         /* likewise, as the next six */
     DMI_PROPOSAL_FLUSH,
@@ -41,7 +41,7 @@ enum {
     DMI_PROPOSAL_THICKNESS,   /* third side / longest side */
     DMI_PROPOSAL_BOX_AREA,    /* part's area / surface of the box, clamped */
     DMI_PROPOSAL_REST_IN_BOX, /* the rest's samples in the box, per sample, clamped */
-    DMI_PROPOSAL_RADIUS,      /* as of dmi_proposal_box */
+    DMI_PROPOSAL_RADIUS,      /* dmi_proposal_box's */
     DMI_PROPOSAL_LOG_RADIUS,
     DMI_PROPOSAL_CONTACT_DISTANCE, /* mean, in contact distances */
     DMI_PROPOSAL_LOG_MESH_PIECES,  /* ln(number of pieces of the mesh) */
@@ -53,7 +53,7 @@ enum {
     DMI_PROPOSAL_SHEET_TAKEN,     /* share of that sheet that is in the part */
     /* grabbed point: its distance from the centre along each axis, in half sides, clamped */
     DMI_PROPOSAL_GRAB,
-    /* as of dmi_proposal_box_symmetry */
+    /* dmi_proposal_box_symmetry's */
     DMI_PROPOSAL_SYMMETRY = DMI_PROPOSAL_GRAB + 3,
     /* the piece that would join next; zeros: none */
     DMI_PROPOSAL_NEXT_IN_BOX = DMI_PROPOSAL_SYMMETRY + 3, /* share of its samples in the part's box */
@@ -63,10 +63,10 @@ enum {
     DMI_PROPOSAL_NEXT_REPEATS,                            /* 1: a piece of the part has its area */
     /* the rest of the growth */
     DMI_PROPOSAL_ENCLOSED_AREA, /* pieces mostly in the box, the largest component's excepted; share, clamped */
-    DMI_PROPOSAL_LATER_ODDS,    /* as of dmi_proposal, clamped */
+    DMI_PROPOSAL_LATER_ODDS,    /* dmi_proposal's, clamped */
     DMI_PROPOSAL_GROWTH_AREA,   /* area / final area of the growth */
     DMI_PROPOSAL_LOG_LIKELY,    /* ln(1 + number of likely neighbours) */
-    DMI_PROPOSAL_LIKELY_AREA,   /* of the likely neighbours; share, clamped */
+    DMI_PROPOSAL_LIKELY_AREA,   /* share of the likely neighbours, clamped */
     DMI_PROPOSAL_FEATURE_END
 };
 _Static_assert(DMI_PROPOSAL_FEATURE_END == DMI_PROPOSAL_FEATURES, "as many as the network has inputs");

@@ -14,9 +14,9 @@
 #define MAX_STAGES 16         /* stages that one growth proposes; by hand */
 #define CERTAIN_LOG_ODDS 3.0f /* while a neighbour is this likely to belong, the part is incomplete; by hand */
 #define MIN_LOG_ODDS (-6.0f)  /* neighbours below this never join; by hand */
-#define MAX_AREA_SHARE 0.95f  /* of the mesh's area, at which a growth ends; by hand */
+#define MAX_AREA_SHARE 0.95f  /* share of the mesh's area at which a growth ends; by hand */
 #define MAX_WORK (1u << 22)   /* samples in contact that a growth visits, for time: twice the most measured */
-#define RATING_WORK 16        /* of one neighbour, in the time of samples visited; measured */
+#define RATING_WORK 16        /* work of rating one neighbour, in the time of samples visited; measured */
 #define MAX_REGIONS 2000      /* smooth regions of the cut sheet beyond which it is not grown, for time; by hand */
 
 /* Shares of the work, when each level is made and its region grown; by hand. */
@@ -37,8 +37,8 @@ typedef struct growth {
     float* log_odds; /* per neighbour */
     dmi_remaining_components components;
     uint32_t seed, next_piece, likely_count;
-    float lowest_log_odds, last_log_odds, next_log_odds, likely_area; /* as of dmi_proposal */
-    float area;                                                       /* of the region */
+    float lowest_log_odds, last_log_odds, next_log_odds, likely_area; /* dmi_proposal's */
+    float area;                                                       /* the region's area */
 } growth;
 
 /* Appends a proposal with a copy of `inside`, unless there is no room. */

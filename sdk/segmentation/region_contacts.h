@@ -9,14 +9,14 @@
 typedef struct dmi_neighbour_contacts {
     uint32_t with_region, with_others; /* the piece's samples in contact with the region, with another piece outside */
     uint32_t from_region;              /* the region's samples in contact with the piece */
-    uint32_t flush, stacked, ahead, behind, concave, convex; /* of with_region */
+    uint32_t flush, stacked, ahead, behind, concave, convex; /* kinds of the contacts in with_region */
     float distance;                                          /* sum over with_region, in contact distances */
 } dmi_neighbour_contacts;
 
 typedef struct dmi_region_contacts {
     const dmi_pieces* pieces;
-    float drag[3];                                 /* unit; zeros: none */
-    uint32_t *samples, *first_sample;              /* in contact with another piece; per piece, where its own begin */
+    float drag[3];                    /* unit; zeros: none */
+    uint32_t *samples, *first_sample; /* samples in contact with another piece; per piece, where its own begin */
     uint32_t *touching_pieces, *first_of_touching; /* those with a sample in contact with a piece; where they begin */
     dmi_neighbour_contacts* sums;                  /* per piece; of those outside the region */
 } dmi_region_contacts;

@@ -14,7 +14,7 @@
 /* Moments and extent of one piece or several, object-normalised. */
 typedef struct dmi_piece_extent {
     float area, centre[3], mean_square; /* mean_square: mean of |x|^2 over the surface */
-    float low, high;                    /* along the drag */
+    float low, high;                    /* ends along the drag */
     float normal_cosine;                /* mean |cosine| between normals and the drag */
 } piece_extent;
 

@@ -9,9 +9,9 @@
  * are object-normalised. */
 enum {
     /* contacts, in numbers of samples */
-    DMI_NEIGHBOUR_CONTACT_SHARE,    /* with the region, of the piece's contacts with anything */
-    DMI_NEIGHBOUR_REGION_CONTACTS,  /* with the region, per sample of the piece */
-    DMI_NEIGHBOUR_OTHER_CONTACTS,   /* with other pieces, per sample of the piece */
+    DMI_NEIGHBOUR_CONTACT_SHARE,    /* share with the region, of the piece's contacts with anything */
+    DMI_NEIGHBOUR_REGION_CONTACTS,  /* those with the region, per sample of the piece */
+    DMI_NEIGHBOUR_OTHER_CONTACTS,   /* those with other pieces, per sample of the piece */
     DMI_NEIGHBOUR_COVERED_REGION,   /* share of the region's samples in contact with the piece */
     DMI_NEIGHBOUR_FLUSH,            /* share of the contacts with the region; see dmi_contact_kind */
     DMI_NEIGHBOUR_STACKED,          /* likewise */
@@ -30,10 +30,10 @@ enum {
     DMI_NEIGHBOUR_REGION_NORMAL_COSINE, /* the same of the region */
     DMI_NEIGHBOUR_EXCESS_AHEAD,         /* how far the piece extends beyond the region, ahead */
     DMI_NEIGHBOUR_EXCESS_BEHIND,        /* and behind */
-    DMI_NEIGHBOUR_OFFSET_ALONG,         /* of the piece's centre from the region's */
+    DMI_NEIGHBOUR_OFFSET_ALONG,         /* distance of the piece's centre from the region's */
     DMI_NEIGHBOUR_REGION_EXTENT,
     DMI_NEIGHBOUR_EXTENT,
-    DMI_NEIGHBOUR_OFFSET_ACROSS,  /* of the centres, perpendicular to the drag */
+    DMI_NEIGHBOUR_OFFSET_ACROSS,  /* distance of the centres, perpendicular to the drag */
     DMI_NEIGHBOUR_STACKED_AHEAD,  /* share of the contacts with the region */
     DMI_NEIGHBOUR_STACKED_BEHIND, /* likewise */
     /* relation to the region */
@@ -42,7 +42,7 @@ enum {
     DMI_NEIGHBOUR_CONVEX,         /* likewise */
     DMI_NEIGHBOUR_SAME_SHEET,     /* 1: some piece of the region is of the same sheet */
     DMI_NEIGHBOUR_REPEAT,         /* 1: some piece of the region has the same area */
-    DMI_NEIGHBOUR_SHEET_IS_CUT,   /* as of the piece level */
+    DMI_NEIGHBOUR_SHEET_IS_CUT,   /* the piece level's */
     DMI_NEIGHBOUR_FEATURES
 };
 
@@ -54,7 +54,7 @@ typedef struct dmi_region {
     uint32_t* neighbours;                      /* pieces outside the region that are in contact with it */
     float (*features)[DMI_NEIGHBOUR_FEATURES]; /* per neighbour, in the same order */
     uint32_t neighbour_count;
-    uint32_t piece_count; /* of the region */
+    uint32_t piece_count; /* pieces of the region */
     dmi_region_contacts contacts;
     struct dmi_piece_extent* extents; /* per piece */
 } dmi_region;

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #define MAX_CARRIED_AREA                                                                                               \
-    0.25f /* of a carried component, in areas of the part: larger ones do not depend on the part;                      \
+    0.25f /* area of a carried component, in areas of the part: larger ones do not depend on the part;                 \
            * by hand */
 
 /* Returns the root, halving the path to it. */

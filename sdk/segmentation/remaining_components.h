@@ -8,8 +8,8 @@
 
 typedef struct dmi_remaining_components {
     uint32_t* roots;       /* piece -> the piece that represents its component */
-    float* area;           /* of a component, at its root; object-normalised */
-    uint8_t* touches_part; /* of a component, at its root */
+    float* area;           /* area of each component, at its root; object-normalised */
+    uint8_t* touches_part; /* whether each component does, at its root */
     uint32_t largest;      /* root of the largest component; DMI_PIECE_NONE: the part is everything */
     float part_area;
 } dmi_remaining_components;
