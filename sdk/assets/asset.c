@@ -1,4 +1,4 @@
-/* From nodes to parts: bodies by their names, places and shapes; joints of all of them; then which of them move. */
+/* Makes parts of nodes: bodies by their names, places and shapes; joints of all of them; then which of them move. */
 #include "assets/asset.h"
 
 #include <string.h>

@@ -6,7 +6,7 @@
 #include "math/elementary.h"
 
 #define ALIKE 0.02f             /* relative difference of extents and areas of twins; by hand */
-#define LEAST_DIFFERENCE 0.001f /* of extents, in object sizes, that counts; by hand */
+#define LEAST_DIFFERENCE 0.001f /* least difference of extents that counts, in object sizes; by hand */
 
 /* Sorts three numbers, largest first. */
 static void sort3(float v[3]) {

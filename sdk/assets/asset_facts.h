@@ -7,7 +7,7 @@
 
 typedef struct dmi_asset_facts {
     uint32_t node_count;
-    float largest_share; /* of all cells, that the node with the most cells has */
+    float largest_share; /* share of all cells that the node with the most cells has */
     uint32_t largest;
     float low[3], high[3], area;
     uint32_t cell_count;

@@ -9,7 +9,7 @@
 #include "base/progress.h"
 #include "mesh/mesh.h"
 
-#define DMI_ASSET_BODY UINT32_MAX /* in place of an index: the body that stays, or nothing */
+#define DMI_ASSET_BODY UINT32_MAX /* stands for an index: the body that stays, or nothing */
 #define DMI_ASSET_MAX_UNITS 1024  /* nodes with faces that are grouped: tables of pairs stay below 20 MB */
 
 /* What is known of a node before its shape is looked at. */
@@ -17,7 +17,7 @@ typedef struct dmi_asset_node {
     const char *name, *mesh_name; /* "": none */
     uint32_t parent;              /* or DMI_ASSET_BODY */
     bool follows;                 /* neither part nor body; it has no faces in the mesh */
-    bool is_fixed;                /* for certain of one body with its parent */
+    bool is_fixed;                /* certainly one body with its parent */
     uint32_t given_body; /* nodes with the same number, other than DMI_ASSET_BODY, are one part that moves, for certain:
                             clips or joints of the file say so */
 } dmi_asset_node;
@@ -31,7 +31,7 @@ typedef struct dmi_asset_query {
     const dmi_asset_models* models; /* NULL: by rules */
     float min_moves;                /* bodies whose probability is below stay, unless they are given */
     const dmi_progress* progress;
-    dmi_arena* arena; /* of the answers too */
+    dmi_arena* arena; /* holds the answers too */
 } dmi_asset_query;
 
 typedef struct dmi_asset_body {

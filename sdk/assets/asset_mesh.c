@@ -6,7 +6,7 @@
 #include "base/kept.h"
 #include "mesh/mesh_read.h"
 
-enum { COLUMN = 4, ORIGIN = 12 }; /* in a transform of 16 numbers: between columns; of the translation */
+enum { COLUMN = 4, ORIGIN = 12 }; /* offsets in a transform of 16 numbers: from column to column; of the translation */
 
 bool dmi_asset_node_counts(const dm_asset_node* node) {
     return node->mesh != NULL && !(node->flags & DM_ASSET_NODE_FOLLOWS);

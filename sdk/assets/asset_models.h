@@ -5,7 +5,7 @@
 #include "math/elementary.h"
 #include "nn/tree_ensemble.h"
 
-#define DMI_ASSET_ARCHITECTURE "dragmesh-asset-parts" /* of the weights file */
+#define DMI_ASSET_ARCHITECTURE "dragmesh-asset-parts" /* name in the weights file */
 #define DMI_CONTEXT_ROUNDS 2                          /* times that sets are rated in view of each other; by hand */
 
 typedef struct dmi_asset_models {

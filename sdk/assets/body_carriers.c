@@ -20,7 +20,7 @@ static uint32_t carrier_in_tree(const dmi_asset_query* q, const dmi_asset_units*
 typedef struct touching {
     uint32_t count;
     uint32_t* touched; /* count x (count + 1) */
-    uint32_t* cells;   /* of each body */
+    uint32_t* cells;   /* number of each body's cells */
 } touching;
 
 static const uint32_t* row_of(const touching* t, uint32_t body) {

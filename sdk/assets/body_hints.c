@@ -7,7 +7,7 @@
 #include "assets/asset_mesh.h"
 #include "mesh/part_pivots.h"
 
-enum { COLUMN = 4, ORIGIN = 12 };    /* in a transform of 16 numbers: between columns; of the translation */
+enum { COLUMN = 4, ORIGIN = 12 }; /* offsets in a transform of 16 numbers: from column to column; of the translation */
 #define SEVERAL (DMI_ASSET_BODY - 1) /* nodes of several bodies, or of the body that stays */
 #define NOTHING DMI_ASSET_BODY       /* no node with a mesh */
 
@@ -49,7 +49,7 @@ static dm_result judge_pivots(dmi_env* env, const dmi_asset_query* query, const 
 
 typedef struct body_nodes {
     uint32_t* largest; /* node of each body with the largest surface */
-    uint32_t* count;   /* of its nodes with meshes */
+    uint32_t* count;   /* number of its nodes with meshes */
     uint32_t* only;    /* one a node: the body of all meshes at it and below, SEVERAL or NOTHING */
 } body_nodes;
 

@@ -38,7 +38,7 @@ typedef struct axis_joint {
 /* Values of a joint that a clip reaches. */
 typedef struct value_range {
     double lower, upper;
-    double last_step; /* between its last two keys */
+    double last_step; /* change between its last two keys */
 } value_range;
 
 /* What moves clips are measured against. */

@@ -7,7 +7,7 @@
 
 #include "math/elementary.h"
 
-enum { SECTORS = 24, RINGS = 12, DEEPEST = 14 }; /* of the profile; times that a face is quartered at most; by hand */
+enum { SECTORS = 24, RINGS = 12, DEEPEST = 14 }; /* parts of the profile; times that a face is quartered; by hand */
 
 /* All by hand, in radii of the part where they are lengths. */
 #define STEP 0.06f        /* longest edge of a piece of a face that counts as one point */
@@ -17,9 +17,9 @@ enum { SECTORS = 24, RINGS = 12, DEEPEST = 14 }; /* of the profile; times that a
 #define SEAT_INNER 0.55f  /* radii between which a body holds the rim, */
 #define SEAT_OUTER 1.25f  /* … */
 #define SEAT_HEIGHT 0.25f /* and how far above or below it */
-#define SEAT_SECTORS 22   /* of them, in which it does: a spout or a notch breaks it */
+#define SEAT_SECTORS 22   /* number of sectors in which it does: a spout or a notch breaks it */
 #define INSIDE 0.9f       /* radius within which nothing may be above the part, */
-#define ABOVE 0.1f        /* by this height */
+#define ABOVE 0.1f        /* this height and more */
 #define CORE 0.5f         /* radius of the hollow, */
 #define DEPTH 0.6f        /* and its depth */
 #define GRIP_HEIGHT 0.25f /* share of the part's height, at its top, that is the grip */
@@ -33,7 +33,7 @@ enum { SECTORS = 24, RINGS = 12, DEEPEST = 14 }; /* of the profile; times that a
 /* What stands where around an upright axis. */
 typedef struct profile {
     float up[3], across[2][3], centre[2];
-    float radius, low, high;   /* of the part */
+    float radius, low, high;   /* the part's radius, lowest and highest place */
     float reach[SECTORS];      /* largest radius of the part */
     float top[RINGS];          /* greatest height of the part at a radius */
     float rim_low, grip;       /* least height of its rim; its radius at the top */

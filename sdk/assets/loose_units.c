@@ -5,12 +5,12 @@
 
 #define NONE UINT32_MAX
 #define MOST_SHARE                                                                                                     \
-    0.25f /* of the body's cells, that a group has at most: a gate's second post is no handle; by hand                 \
+    0.25f /* largest share of the body's cells that a group has: a gate's second post is no handle; by hand            \
            */
 
 typedef struct groups {
     uint32_t* of_unit; /* group of each unit; NONE: it is of a body */
-    uint32_t* cells;   /* of each group */
+    uint32_t* cells;   /* number of each group's cells */
     uint32_t* stack;   /* scratch */
     uint32_t count, largest;
 } groups;

@@ -7,9 +7,9 @@
 #include "math/elementary.h"
 
 #define NEAREST 3         /* pairs without contact of each node; by hand */
-#define MIDDLE_COST 0.05f /* of the distance of two boxes, that the distance of their middles counts; by hand */
+#define MIDDLE_COST 0.05f /* weight of the distance of two boxes' middles beside that of the boxes; by hand */
 #define MOST_BY_RULE 0.9f /* probability of a pair without models; by hand */
-#define PAIRS_AT_ONCE 64  /* between two reports of progress */
+#define PAIRS_AT_ONCE 64  /* pairs from one report of progress to the next */
 
 /* ---- pairs ---- */
 
@@ -95,8 +95,8 @@ static dm_result rate_pairs(dmi_arena* arena, dmi_merge_tree* tree, const dmi_as
 typedef struct merger {
     uint32_t n;          /* nodes */
     float *sum, *weight; /* n x n, by the slot of a cluster */
-    uint32_t* set;       /* of a slot; UINT32_MAX: merged into another */
-    uint32_t* best;      /* of a slot: the slot that it is likeliest one with */
+    uint32_t* set;       /* set of each slot; UINT32_MAX: merged into another */
+    uint32_t* best;      /* slot that each slot is likeliest one with */
 } merger;
 
 static float link_of(const merger* m, uint32_t a, uint32_t b) {

@@ -9,7 +9,7 @@
 typedef struct dmi_node_pair {
     uint32_t a, b;     /* a < b */
     float probability; /* that both are one body */
-    float weight;      /* of their contact */
+    float weight;      /* weight of their contact */
 } dmi_node_pair;
 
 typedef struct dmi_merge_tree {

@@ -6,8 +6,8 @@
 
 #include "math/elementary.h"
 
-#define CELL_BITS 24 /* of the index of a cell */
-#define DIGIT_BITS 8 /* of a pass of the radix sort */
+#define CELL_BITS 24 /* bits of the index of a cell */
+#define DIGIT_BITS 8 /* bits of a pass of the radix sort */
 #define DIGITS (1u << DIGIT_BITS)
 #define STEP 0.5f /* cells between samples of a triangle: no cell inside is missed by much */
 
@@ -181,7 +181,7 @@ static dm_result find_exposure(dmi_arena* arena, dmi_node_cells* g) {
     const uint32_t steps[3] = {1, across, slab};
     g->exposed = dmi_arena_push(arena, (g->node_count + 1) * sizeof *g->exposed);
     const uint32_t most = slab + across * (uint32_t)g->size[2] + (uint32_t)g->size[1] * (uint32_t)g->size[2];
-    uint32_t* stamp = dmi_arena_push(arena, most * sizeof *stamp); /* of any axis's columns */
+    uint32_t* stamp = dmi_arena_push(arena, most * sizeof *stamp); /* one a column of any axis */
     if (g->exposed == NULL || stamp == NULL) return DM_ERROR_OUT_OF_MEMORY;
     memset(g->exposed, 0, g->node_count * sizeof *g->exposed);
     for (int axis = 0; axis < 3; axis++) {

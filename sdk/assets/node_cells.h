@@ -9,7 +9,7 @@
 #include "base/progress.h"
 #include "mesh/mesh.h"
 
-#define DMI_GRID_CELLS 128 /* along the object's longest side; by hand: 8 mm of a metre */
+#define DMI_GRID_CELLS 128 /* cells along the object's longest side; by hand: 8 mm of a metre */
 #define DMI_GRID_SIDES 6   /* -x, +x, -y, +y, -z, +z */
 
 typedef struct dmi_node_cells {

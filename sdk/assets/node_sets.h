@@ -4,7 +4,7 @@
 
 #include "assets/node_cells.h"
 
-#define DMI_SET_POINTS 256 /* at most, of a set's cells; by hand */
+#define DMI_SET_POINTS 256 /* most points of a set's cells; by hand */
 
 typedef struct dmi_node_set {
     const dmi_node_cells* grid;

@@ -8,18 +8,18 @@
 
 #define LIKELY 0.35f /* probabilities that are counted, and those of better sets; by hand */
 #define SURE 0.6f
-#define WORTH 0.25f /* as EVEN of asset_grouping.c */
+#define WORTH 0.25f /* the same as EVEN of asset_grouping.c */
 #define TINY 1e-6f  /* no probability is divided by less */
 
 /* Relations in the tree, one number a set. */
 typedef struct relations {
     uint32_t* parent; /* UINT32_MAX: none */
     float* inside;    /* highest probability of the sets in it */
-    float* around;    /* of those that it is in */
+    float* around;    /* highest probability of the sets that it is in */
     float *twin_sum, *twin_count;
     float* cells;
     uint32_t *best_inside, *best_around;               /* sets of those probabilities; UINT32_MAX: none */
-    float *inside_cells, *inside_count, *inside_worth; /* of the best choice of sets in it */
+    float *inside_cells, *inside_count, *inside_worth; /* cells, number and worth of the best choice of sets in it */
 } relations;
 
 static float cells_of_set(const dmi_merge_tree* tree, uint32_t set) {

@@ -11,7 +11,7 @@
 
 #define TINY 1e-6f      /* lengths and counts that are divided by are at least this */
 #define TINY_AREA 1e-9f /* and areas */
-#define MOST_AREA 4     /* of a set, in areas of its box; more counts as this; by hand */
+#define MOST_AREA 4     /* largest area of a set, in areas of its box; more counts as this; by hand */
 
 static void put_turn(dmi_row* r, const dmi_set_turn* t) {
     dmi_put(r, t->little), dmi_put(r, t->much), dmi_put(r, t->back), dmi_put(r, t->apart), dmi_put(r, t->along);

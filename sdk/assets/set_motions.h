@@ -15,14 +15,14 @@ typedef struct dmi_set_way {
 
 typedef struct dmi_set_turn {
     float little, much; /* collisions after 0.25 and 0.9 rad in the freer sense */
-    float back;         /* after 0.25 rad in the other */
+    float back;         /* collisions after 0.25 rad in the other sense */
     float apart;        /* mean distance of what touches the rest from the line, in diagonals of the set's box */
     float along;        /* the set's extent along the line */
 } dmi_set_turn;
 
 typedef struct dmi_set_spin {
     float round;          /* share of the set that turns into itself */
-    dmi_set_turn turning; /* about the box's middle */
+    dmi_set_turn turning; /* a turn about the box's middle */
 } dmi_set_spin;
 
 /* Measures the six ways, freest first. against: as of dmi_node_set_make. */

@@ -14,7 +14,7 @@ enum {
     DMI_OPENING_HANG = 0, /* how line-like its contacts are (0: a line), their length by its longest side; collisions of
                              turns about that line by 0.25 and 0.9 rad, the freer way and the other; distance of its
                              middle from the line by its longest side */
-    DMI_OPENING_WAYS = 7, /* of its freest way and the next, 8 each: share of points that leave the object and distance
+    DMI_OPENING_WAYS = 7, /* its freest way and the next, 8 each: share of points that leave the object and distance
                              of what the others meet, ahead and behind; cover of the outline, distance to the outside;
                              contacts across and along the way, in half extents */
     DMI_OPENING_GRIP = 23,       /* share of its largest node, what stands out of that, how far off the others are */

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* Without models, a set is rated by what it is: every node but the largest may move. */
+/* Rates a set by what it is, where there are no models: every node but the largest may move. */
 static float rate_by_rule(const dmi_merge_tree* tree, uint32_t set) {
     return tree->size[set] == 1 && tree->members[tree->first[set]] != tree->facts.largest ? 0.5f : 0;
 }

@@ -7,7 +7,7 @@
 #define DMI_RATED_FEATURES (DMI_SET_FEATURES + DMI_CONTEXT_FEATURES)
 
 typedef struct dmi_set_ratings {
-    float (*features)[DMI_RATED_FEATURES]; /* of each set; its own, then those of its context in the last round */
+    float (*features)[DMI_RATED_FEATURES]; /* each set's own features, then those of its context in the last round */
     float* moves;                          /* probability of each set after the last round */
 } dmi_set_ratings;
 
