@@ -14,7 +14,7 @@
 
 /* Bytes of "dm_asset_create: desc.nodes[…]", of a field of it, and of a field of that, with ten digits an index. */
 enum { NODE_TEXT = 64, FIELD_TEXT = 96, KEY_TEXT = 128 };
-#define LAST_ROW 1e-4f /* of an affine transform: rounding of products of several; by hand */
+#define LAST_ROW 1e-4f /* how far the last row of an affine transform is off 0 0 0 1: rounding; by hand */
 enum { TRANSFORM = 16, COLUMN = 4 };
 
 static dm_result out_of_memory(dmi_env* env, uint32_t count) {

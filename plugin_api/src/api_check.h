@@ -8,7 +8,7 @@
 #include "base/env.h"
 #include "base/number_bounds.h"
 
-/* In place of an environment: the checks of [frame] functions, which log nothing. */
+/* The checks of [frame] functions take this for an environment: they log nothing. */
 #define DMI_SILENT ((dmi_env*)NULL)
 
 /* Size of a descriptor's first published version, whose last member is `last`. */

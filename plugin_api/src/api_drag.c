@@ -13,20 +13,20 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-/* By hand; docs/feel.md. */
+/* The constants below are set by hand; docs/feel.md. */
 /* Size of dm_part_state in the first version: its last field was the joint of that version. */
 #define FIRST_PART_STATE (offsetof(dm_part_state, joint) + DMI_FIRST_SIZE(dm_joint, source))
 #define BUTTON_TRAVEL 0.04f      /* most travel of a push button, share of the object's size */
 #define BUTTON_SIZE 0.25f        /* largest side of a push button, share of the object's size */
 #define BUTTON_RETURN_TIME 0.12f /* s */
-#define AT_REST_SHARE 0.02f      /* of the range: a limit this near to rest is at rest */
+#define AT_REST_SHARE 0.02f      /* share of the range: a limit this near to rest is at rest */
 
 /* What can't be meant, by hand: other units are off by a hundred or more, and frame times by a thousand. */
 #define FAR_POINT 50.0f      /* object sizes between object and grabbed point */
 #define FAR_SLIDE 50.0f      /* object sizes of a slide's value */
 #define FAR_TURN 12.6f       /* rad beyond the limits of a turn: two turns, twice what a pull exceeds them by */
 #define LONG_FRAME 3.0f      /* s of one update: 3 ms in milliseconds */
-#define SMALLEST_FEEL 1e-12f /* of a time, share or catch that is not 0: its inverse stays in a float's range */
+#define SMALLEST_FEEL 1e-12f /* least time, share or catch that is not 0: its inverse stays in a float's range */
 #define STOP_TOLERANCE 1e-4f /* object sizes, or rad: a value this near to the only limit is at it */
 /* A negative time step this small is a rounded 0, s. The last bit of a clock that counts seconds in a float is as large
  * after a quarter of an hour; by hand. */
@@ -81,9 +81,9 @@ typedef struct start {
     const dmi_object* object;
     uint32_t part;
     dm_vec3 scale;
-    dm_vec3 centre, part_centre; /* of the boxes */
+    dm_vec3 centre, part_centre; /* centres of the boxes */
     float object_size, part_size;
-    dm_joint joint; /* in force */
+    dm_joint joint; /* the joint in force */
     float value;
     bool has_pose; /* pose: where the part is shown */
     dm_pose pose;

@@ -40,7 +40,7 @@ typedef struct dmi_object_slot {
     dmi_vae_object* features; /* one a part, the body's unused; NULL without a motion network */
     dmi_dependent *motions, *drags;
     dmi_placement* placements;
-    dmi_link* links; /* in the order of dmi_links_order; parts are counted without the body. NULL: none */
+    dmi_link* links; /* sorted by dmi_links_order; parts are counted without the body. NULL: none */
     uint32_t link_count;
 } dmi_object_slot;
 
@@ -54,7 +54,7 @@ typedef struct dmi_drag_slot {
     dmi_dependent link;
     dmi_object_slot* owner;
     uint32_t part;       /* index in the object */
-    dm_vec3 scale;       /* of the instance */
+    dm_vec3 scale;       /* the instance's scale */
     int8_t open_side;    /* +1: no upper limit, but a lower one; -1: the reverse; 0: both or none */
     float value_unit;    /* the object's size for slides, 1 rad for turns */
     float longest_frame; /* s: dt of an update too long to be meant; 0: none, -1: reported */
@@ -71,7 +71,7 @@ typedef struct dmi_scene_slot {
 typedef struct dmi_asset_slot {
     dmi_asset* asset;
     dm_model model;      /* 0: none */
-    bool keep_triangles; /* of the objects made of it */
+    bool keep_triangles; /* whether the objects made of it keep theirs */
 } dmi_asset_slot;
 
 struct dm_context {

@@ -9,12 +9,12 @@
 #include "math/elementary.h"
 #include "math/joint.h"
 
-#define MIN_AXIS_LENGTH 1e-6 /* of a host's axis; shorter ones have no direction; by hand */
-#define LARGEST_SCALE 1e6f   /* of an instance, and inverse of the smallest one; by hand: sizes stay comparable */
+#define MIN_AXIS_LENGTH 1e-6 /* shortest axis of a host; a shorter one has no direction; by hand */
+#define LARGEST_SCALE 1e6f   /* largest scale, and inverse of the smallest one; by hand: sizes stay comparable */
 #define UNIT_TOLERANCE 1e-6  /* an axis whose length is this near to 1 keeps its bits: rounding of three floats */
 
-/* By hand: a limit farther from rest than UNLIMITED is none. STAND_IN takes its place where the other limit is meant,
- * and is beyond UNLIMITED again when it is read back. */
+/* A limit farther from rest than UNLIMITED is none; set by hand. STAND_IN takes its place where the other limit is
+ * meant, and is beyond UNLIMITED again when it is read back. */
 #define UNLIMITED_SLIDE 100.0f /* object sizes */
 #define STAND_IN_TURN 1024.0f  /* rad */
 #define STAND_IN_SLIDE 128.0f  /* object sizes */

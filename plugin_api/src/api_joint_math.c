@@ -41,7 +41,7 @@ static float advance_of(const dm_joint* joint, const dm_pose* pose) {
     return dmi_dot3(moved, dmi_xyz(joint->axis).v);
 }
 
-/* Of the values a turn apart, returns the one inside the limits; where there is none, the value itself. */
+/* Returns the value inside the limits among those that are whole turns apart; where none is, the value itself. */
 static float turn_into_limits(const dm_joint* joint, float value) {
     if (!dmi_joint_has_limits(joint)) return value;
     const float lower = joint->lower - LIMIT_TOLERANCE, upper = joint->upper + LIMIT_TOLERANCE;

@@ -33,7 +33,7 @@ typedef struct buffer {
     bool exact; /* a longer one is wrong too: it tells a forgotten scope */
 } buffer;
 
-/* With a stride, the buffer may end with the last element, or begin inside the first vertex. */
+/* A buffer with a stride may end with the last element, or begin inside the first vertex. */
 static dm_result check_buffer(dmi_env* env, const char* what, const buffer* b) {
     const uint64_t stride = b->stride > 0 ? b->stride : b->element;
     const uint64_t least = b->count > 0 ? (b->count - 1) * stride + b->element : 0, most = b->count * stride;

@@ -10,14 +10,14 @@
 #include "math/vec3.h"
 
 #define MAGIC 0x53444D44u    /* "DMDS" */
-#define UNIT_TOLERANCE 1e-5f /* of an axis; by hand: rounding leaves 1e-7, and poses are as far off */
+#define UNIT_TOLERANCE 1e-5f /* error of an axis' length; by hand: rounding leaves 1e-7, and poses are as far off */
 #define FNV_START 0xcbf29ce484222325u
 #define FNV_PRIME 0x100000001b3u
 
 typedef struct snapshot {
     uint32_t magic, version, size, reserved;
     uint64_t part;     /* which part of which object */
-    uint64_t checksum; /* of everything after it */
+    uint64_t checksum; /* checksum of everything after it */
     dm_vec3 scale;
     float value_unit;
     int32_t open_side;
