@@ -15,7 +15,7 @@ import re
 import sys
 
 PREPOSITIONS = """about above across after against along among around as at before behind below beneath beside besides between
-    beyond by despite during except for from in inside into near of off on onto over past per since through to toward towards
+    beyond by despite during except for from in inside into near of off on onto over past since through to toward towards
     under until unto up upon with within without""".split()
 BARE = re.compile(r"/[*/][*!]*[\s*]*(%s)\b[^\n]*" % "|".join(PREPOSITIONS), re.I)
 TOKEN = re.compile(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.S)
