@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# tests/docs.sh — checks the documentation: no line is longer than 120 characters outside tables and fenced code,
-# every relative link names a file or folder that exists and a heading that it has, so does every path in code style outside
-# docs/research, and code that names its file (```c FILE, ```cpp FILE …) stands in it as one piece; code of docs/engines names a file that a test runs. Then tests/prose.sh reads
-# the comments.
+# tests/docs.sh — checks the documentation: no line is longer than 120 characters outside tables and fenced code. Every relative
+# link names a file or folder that exists and a heading that it has, and every path in code style outside docs/research exists.
+# Code that names its file (```c FILE, ```cpp FILE …) stands in it as one piece, and code of docs/engines names a file that a
+# test runs. tests/prose.sh, which this runs too, reads the comments.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 files=$(find docs -name '*.md'; find samples bindings -name README.md; ls README.md CHANGELOG.md CONTRIBUTING.md sdk/models/README.md \
@@ -75,8 +75,8 @@ blocks() { # PAGE
 }
 invented=$(for page in $files; do blocks "$page"; done)
 
-bare=$(tests/prose.sh 2>&1 || true)
+fragments=$(tests/prose.sh 2>&1 || true)
 
-[ -z "$long$broken$gone$invented$bare" ] && exit 0
-printf '%s\n' "$long" "$broken" "$gone" "$invented" "$bare" | grep . >&2
+[ -z "$long$broken$gone$invented$fragments" ] && exit 0
+printf '%s\n' "$long" "$broken" "$gone" "$invented" "$fragments" | grep . >&2
 exit 1
