@@ -2,7 +2,8 @@
 # tests/docs.sh — checks the documentation: no line is longer than 120 characters outside tables and fenced code. Every relative
 # link names a file or folder that exists and a heading that it has, and every path in code style outside docs/research exists.
 # Code that names its file (```c FILE, ```cpp FILE …) stands in it as one piece, and code of docs/engines names a file that a
-# test runs. tests/prose.sh, which this runs too, reads the comments.
+# test runs. The tables of the scoreboard are those that scripts/scoreboard writes. tests/prose.sh, which this runs too, reads the
+# comments.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 files=$(find docs -name '*.md'; find samples bindings -name README.md; ls README.md CHANGELOG.md CONTRIBUTING.md sdk/models/README.md \
@@ -75,7 +76,7 @@ blocks() { # PAGE
 }
 invented=$(for page in $files; do blocks "$page"; done)
 
-fragments=$(tests/prose.sh 2>&1 || true)
+fragments=$(tests/prose.sh 2>&1 || true; scripts/scoreboard --check 2>&1 || true)
 
 [ -z "$long$broken$gone$invented$fragments" ] && exit 0
 printf '%s\n' "$long" "$broken" "$gone" "$invented" "$fragments" | grep . >&2
