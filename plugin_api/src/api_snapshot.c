@@ -249,6 +249,11 @@ static bool is_sound_origin_of_joint(const dmi_drag* d) {
            are_numbers(&d->earlier.own, 1) && d->basis >= DM_BASIS_PREPARED && d->basis <= DM_BASIS_CHOSEN;
 }
 
+/* The share that is open is a quotient by the way. */
+static bool is_sound_opening(const dmi_drag* d) {
+    return are_within(&d->closed, 1) && are_numbers(&d->open_way, 1) && d->open_way != 0;
+}
+
 static bool is_sound_drag(const dmi_drag* d) {
     const float numbers[5] = {d->value, d->target, d->velocity, d->speed, d->pointer_value};
     const float limits[4] = {d->reachable_lower, d->estimated_lower, d->estimated_upper, d->reachable_upper};
@@ -256,9 +261,9 @@ static bool is_sound_drag(const dmi_drag* d) {
     return is_sound_joint(&d->joint) && dmi_is_usable_feel(&d->feel) && are_within(numbers, 5) && d->speed >= 0 &&
            are_within(d->rest_point, 3) && are_within(d->point, 3) && are_within(grab_offset.v, 3) &&
            is_sound_ray(&d->last_ray) && is_projection(&d->projection) && is_bool(&d->limits_are_estimates) &&
-           are_rising(limits, 4) && d->pointer_span.lower <= d->pointer_span.upper && is_sound_blend(&d->blend) &&
-           is_sound_tracker(&d->tracker) && is_sound_origin_of_joint(d) && is_sound_release(&d->release) &&
-           is_sound_keeping(d);
+           are_rising(limits, 4) && d->pointer_span.lower <= d->pointer_span.upper && is_sound_opening(d) &&
+           is_sound_blend(&d->blend) && is_sound_tracker(&d->tracker) && is_sound_origin_of_joint(d) &&
+           is_sound_release(&d->release) && is_sound_keeping(d);
 }
 
 static bool is_sound(const snapshot* s) {

@@ -89,12 +89,21 @@ float dmi_drag_pointer_value(const dmi_drag* drag, float value) {
     return dmi_snaps_invert(&drag->rules.snaps, unsnapped);
 }
 
+dm_joint dmi_drag_found_joint(const dmi_drag* drag) {
+    dm_joint joint = drag->joint;
+    if (drag->limits_are_estimates) joint.lower = drag->estimated_lower, joint.upper = drag->estimated_upper;
+    return joint;
+}
+
 void dmi_drag_measure_span(dmi_drag* drag) {
+    const dm_joint found = dmi_drag_found_joint(drag);
     drag->pointer_span = (dmi_span){-INFINITY, INFINITY};
-    if (!dmi_joint_has_limits(&drag->joint)) return;
-    const float lower = drag->limits_are_estimates ? drag->estimated_lower : drag->joint.lower;
-    const float upper = drag->limits_are_estimates ? drag->estimated_upper : drag->joint.upper;
-    drag->pointer_span = (dmi_span){dmi_drag_pointer_value(drag, lower), dmi_drag_pointer_value(drag, upper)};
+    drag->closed = dmi_joint_closed(&found);
+    drag->open_way = INFINITY;
+    if (!dmi_joint_has_limits(&found)) return;
+    drag->open_way = dmi_joint_opened(&found) - drag->closed;
+    drag->pointer_span =
+        (dmi_span){dmi_drag_pointer_value(drag, found.lower), dmi_drag_pointer_value(drag, found.upper)};
 }
 
 void dmi_drag_ask(dmi_drag* drag) {
@@ -313,16 +322,6 @@ static int32_t limit_at(const dm_joint* joint, float value) {
     return value >= joint->upper - tolerance ? 1 : value <= joint->lower + tolerance ? -1 : 0;
 }
 
-/* The limits count as they were found: a pull beyond them moves them along. */
-static float open_share(const dmi_drag* drag) {
-    const float lower = drag->limits_are_estimates ? drag->estimated_lower : drag->joint.lower;
-    const float upper = drag->limits_are_estimates ? drag->estimated_upper : drag->joint.upper;
-    if (drag->joint.type == DM_JOINT_CONTINUOUS || !(lower < upper)) return 0;
-    const float closed = dmi_clamp(drag->joint.closed, lower, upper);
-    const float opened = upper - closed >= closed - lower ? upper : lower; /* as dmi_joint_opened */
-    return dmi_clamp((drag->value - closed) / (opened - closed), 0, 1);
-}
-
 void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state) {
     const dm_pose pose = shown_pose(drag);
     float grab[3];
@@ -339,7 +338,7 @@ void dmi_drag_get_state(const dmi_drag* drag, dm_drag_state* out_state) {
     out_state->impact = 0;
     out_state->status = dmi_drag_status(drag);
     out_state->joint_confidence = drag->tracker.round > 0 ? drag->tracker.confidence : drag->first_confidence;
-    out_state->open_share = open_share(drag);
+    out_state->open_share = dmi_clamp((drag->value - drag->closed) / drag->open_way, 0, 1);
     out_state->joint_basis = drag->changes > 0 ? DM_BASIS_PULL : drag->basis;
 }
 

@@ -127,11 +127,9 @@ static void follow_hands(dmi_drag* drag, const dm_drag_input* input, float dt) {
     if (input->hand.kind == DM_HAND_RAY && first.weight > 0) dmi_drag_track(drag, first.value, &ray);
 }
 
-/* Returns the joint value that moves the part by its whole range towards its open end. The limits count as they were
- * found: a pull beyond them moves them along. */
+/* Returns the joint value that moves the part by its whole range towards its open end. */
 static float open_range(const dmi_drag* drag) {
-    dm_joint joint = drag->joint;
-    if (drag->limits_are_estimates) joint.lower = drag->estimated_lower, joint.upper = drag->estimated_upper;
+    const dm_joint joint = dmi_drag_found_joint(drag);
     const float range = dmi_rules_range(&drag->rules, &joint);
     return dmi_joint_has_limits(&joint) && dmi_joint_opened(&joint) == joint.lower ? -range : range;
 }

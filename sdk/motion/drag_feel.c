@@ -43,9 +43,8 @@ float dmi_feel_detent_pull(const dm_drag_feel* feel) {
     return feel->detent_pull == 0 ? DEFAULT_DETENT_PULL : dmi_fminf(dmi_fmaxf(feel->detent_pull, 0), 1);
 }
 
-/* Moves a value towards the nearest detent; monotone, with the least slope at the detents. */
+/* Moves a value towards the nearest of detents that there are; monotone, with the least slope at the detents. */
 static float pull_to_detent(const dm_drag_feel* feel, float closed, float value) {
-    if (!(feel->detent > 0)) return value;
     const float place = (value - closed) / feel->detent, turns = place - roundf(place);
     return value - dmi_feel_detent_pull(feel) * feel->detent / DMI_TWO_PI_F * dmi_sinf(DMI_TWO_PI_F * turns);
 }
@@ -65,8 +64,9 @@ static float invert_detents(const dm_drag_feel* feel, float closed, float target
 }
 
 float dmi_feel_target(const dm_drag_feel* feel, const dm_joint* joint, float pointer_value) {
-    return dmi_joint_clamp(
-        joint, map_ends(feel, joint, pull_to_detent(feel, dmi_joint_closed(joint), pointer_value), soften_end));
+    float asked = pointer_value;
+    if (feel->detent > 0) asked = pull_to_detent(feel, dmi_joint_closed(joint), pointer_value);
+    return dmi_joint_clamp(joint, map_ends(feel, joint, asked, soften_end));
 }
 
 /* Dead zone of one width; the map returns to the identity at three widths. */
@@ -75,7 +75,8 @@ static float dead_zone(float beyond, float width) {
 }
 
 float dmi_feel_soft_target(const dm_drag_feel* feel, float closed, float lower, float upper, float pointer_value) {
-    const float width = DEAD_ZONE * (upper - lower), asked = pull_to_detent(feel, closed, pointer_value);
+    const float width = DEAD_ZONE * (upper - lower);
+    const float asked = feel->detent > 0 ? pull_to_detent(feel, closed, pointer_value) : pointer_value;
     if (asked > upper) return upper + dead_zone(asked - upper, width);
     if (asked < lower) return lower - dead_zone(lower - asked, width);
     return asked;

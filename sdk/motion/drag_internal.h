@@ -8,7 +8,10 @@
 
 /* Returns the pointer value that asks for `value`. */
 float dmi_drag_pointer_value(const dmi_drag* drag, float value);
-/* Finds the pointer values of the limits: anew when joint, limits or rules have changed. */
+/* Returns the joint with its limits as they were found: a pull beyond estimated ones moves them along. */
+dm_joint dmi_drag_found_joint(const dmi_drag* drag);
+/* Finds where the part is closed, its way open, and the pointer values of the limits: anew when joint, limits or rules
+ * have changed. */
 void dmi_drag_measure_span(dmi_drag* drag);
 /* Sets the value that is asked for by the pointer value. */
 void dmi_drag_ask(dmi_drag* drag);
