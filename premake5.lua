@@ -454,7 +454,7 @@ end
 
 -- Benchmarks that call Embree (and cglm) themselves too; without their headers they are left out.
 local embree = installed "embree4/rtcore.h" and "embree4" or installed "embree3/rtcore.h" and "embree3"
-local beside_embree = { bench_peers = installed "cglm/cglm.h", bench_pick = true }
+local beside_embree = { bench_peers = installed "cglm/cglm.h", bench_pick = true, bench_level = true }
 
 for _, source in ipairs(os.matchfiles("tests/bench/bench_*.c")) do
     local name, libraries = source:match("([%w_]+)%.c$"), { "dragmesh_gltf", "dragmesh_core", "dl", "m" }
