@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "pick/lanes.h"
 
 #define FIRST_CAPACITY 8                                     /* leaves; doubles when full */
@@ -43,11 +44,24 @@ static dmi_box child_box(const dmi_wide_node* node, uint32_t slot) {
     return box;
 }
 
+/* The least, and the largest number of a plane; unused children are inside out. */
+static float least_of(const float plane[DMI_WIDE]) {
+    float four[DMI_WIDE / 2];
+    dmi_lanes_store(four, dmi_lanes_min(dmi_lanes_load(plane), dmi_lanes_load(plane + DMI_WIDE / 2)));
+    return dmi_fminf(dmi_fminf(four[0], four[1]), dmi_fminf(four[2], four[3]));
+}
+
+static float most_of(const float plane[DMI_WIDE]) {
+    float four[DMI_WIDE / 2];
+    dmi_lanes_store(four, dmi_lanes_max(dmi_lanes_load(plane), dmi_lanes_load(plane + DMI_WIDE / 2)));
+    return dmi_fmaxf(dmi_fmaxf(four[0], four[1]), dmi_fmaxf(four[2], four[3]));
+}
+
 static dmi_box node_box(const dmi_top_node* node) {
-    dmi_box box = child_box(&node->wide, 0);
-    for (uint32_t i = 1; i < node->count; i++) {
-        const dmi_box child = child_box(&node->wide, i);
-        box = join(&box, &child);
+    dmi_box box = {{0}, {0}};
+    for (int k = 0; k < 3; k++) {
+        box.low[k] = least_of(node->wide.planes[k]);
+        box.high[k] = most_of(node->wide.planes[3 + k]);
     }
     return box;
 }
@@ -126,6 +140,19 @@ static void climb(dmi_top_tree* tree, uint32_t index) {
         if (parent == DMI_TOP_NONE) return;
         const uint32_t slot = slot_of(tree, parent, index);
         const dmi_box old = child_box(&tree->nodes[parent].wide, slot), box = node_box(&tree->nodes[index]);
+        if (same(&old, &box)) return;
+        dmi_wide_node_set_box(&tree->nodes[parent].wide, slot, &box);
+        index = parent;
+    }
+}
+
+/* Joins a box that a node has got to the boxes above it, as far as something changes. */
+static void extend(dmi_top_tree* tree, uint32_t index, const dmi_box* added) {
+    for (;;) {
+        const uint32_t parent = tree->nodes[index].parent;
+        if (parent == DMI_TOP_NONE) return;
+        const uint32_t slot = slot_of(tree, parent, index);
+        const dmi_box old = child_box(&tree->nodes[parent].wide, slot), box = join(&old, added);
         if (same(&old, &box)) return;
         dmi_wide_node_set_box(&tree->nodes[parent].wide, slot, &box);
         index = parent;
@@ -211,7 +238,7 @@ static void add_or_split(dmi_top_tree* tree, uint32_t index, const entry* added)
         index = parent;
     }
     add_child(tree, index, &child);
-    climb(tree, index);
+    extend(tree, index, &added->box);
 }
 
 /* ---- putting in and taking out ---- */
