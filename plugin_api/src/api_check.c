@@ -1,6 +1,7 @@
 /* Checks of what crosses the boundary. */
 #include "api_check.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -92,8 +93,19 @@ dm_result dmi_check_range(dmi_env* env, const char* what, int32_t value, int32_t
     return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is %d: it must be %d to %d", what, value, first, last);
 }
 
+/* Whether two sums alone tell that a ray is good, as of most rays: what is too large or not finite makes its sum so
+ * too.
+ */
+static bool is_ordinary_ray(const dm_ray* ray) {
+    const dm_vec3 origin = ray->origin, direction = ray->direction;
+    const float far = fabsf(origin.x) + fabsf(origin.y) + fabsf(origin.z);
+    const float length = fabsf(direction.x) + fabsf(direction.y) + fabsf(direction.z);
+    return far <= DMI_LARGEST && length > 0 && length <= FLT_MAX;
+}
+
 dm_result dmi_check_ray(dmi_env* env, const char* what, const dm_ray* ray) {
     if (ray == NULL) return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is NULL", what);
+    if (is_ordinary_ray(ray)) return DM_OK;
     static const char* const fields[3] = {".origin.x", ".origin.y", ".origin.z"};
     const float origin[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
     const float direction[3] = {ray->direction.x, ray->direction.y, ray->direction.z};

@@ -179,13 +179,14 @@ dm_result DM_CALL dm_scene_pick(dm_context* context, dm_scene scene, const dm_ra
     if (slot == NULL) return DM_ERROR_STALE_HANDLE;
     dm_result result = dmi_check_ray(DMI_SILENT, "ray", ray);
     if (result != DM_OK) return result;
-    result = dmi_check_out(DMI_SILENT, "out_hit", out_hit, DMI_FIRST_SIZE(dm_hit, object_point));
-    if (result != DM_OK) return result;
     dm_hit other;
-    const uint32_t given = out_hit->struct_size;
-    dm_hit* hit = given == sizeof other ? out_hit : &other; /* mostly of our own version: no copy */
+    const uint32_t given = out_hit != NULL ? out_hit->struct_size : 0;
+    const bool ours = given == sizeof other; /* mostly: no check of the size, no copy */
+    if (!ours) result = dmi_check_out(DMI_SILENT, "out_hit", out_hit, DMI_FIRST_SIZE(dm_hit, object_point));
+    if (result != DM_OK) return result;
+    dm_hit* hit = ours ? out_hit : &other;
     dmi_scene_pick(slot->scene, ray, hit);
-    if (hit == &other) dmi_write_out(out_hit, &other, sizeof other);
+    if (!ours) dmi_write_out(out_hit, &other, sizeof other);
     out_hit->struct_size = given;
     return DM_OK;
 }

@@ -68,7 +68,7 @@ TARGET static traced_ray start_ray(const dmi_part_ray* ray) {
     r.axis[2] = z;
     r.shear[0] = ray->direction[r.axis[0]] / ray->direction[z];
     r.shear[1] = ray->direction[r.axis[1]] / ray->direction[z];
-    r.shear[2] = 1 / ray->direction[z];
+    r.shear[2] = r.inverse[z];
     return r;
 }
 
