@@ -336,6 +336,7 @@ local has_viewer = installed "SDL2/SDL.h" and installed "epoxy/gl.h"
 local needs = {
     dynamic_load = { "dl" },
     host_memory_and_jobs = { "dragmesh", "pthread", "m" },
+    many_objects = { "dragmesh", "pthread", "m" },
     prepare_offline = { "dragmesh", "dragmesh_gltf", "m" },
     gpu_skinning = { "dragmesh", "SDL2", "epoxy", "m" },
     vlm_intent = { "dragmesh", "curl", "cjson", "png", "m" },
@@ -346,11 +347,12 @@ local missing = { viewer = true, gpu_skinning = not has_viewer, vlm_intent = not
 
 local writers = {} -- those that write files
 for _, name in ipairs { "prepare_offline", "vlm_intent", "latch" } do writers[name] = "samples/common/*.c" end
+writers.many_objects = { "samples/common/*.c", "samples/10_viewer/font.c" }
 
 for _, source in ipairs(os.matchfiles("samples/**main.c")) do
     local name = source:match("samples/%d+_([%w_]+)/main.c")
     if name and not missing[name] then
-        local sources = { (source:gsub("main%.c$", "**.c")), writers[name] }
+        local sources = table.flatten { (source:gsub("main%.c$", "**.c")), writers[name] or {} }
         program("sample_" .. name, sources, { api }, needs[name] or { "dragmesh", "m" }, "/samples")
             local cpp = os.matchfiles((source:gsub("main%.c$", "*.cpp")))
             if #cpp > 0 then
