@@ -1,93 +1,260 @@
-/* A street of cabinets: one prepared object, hundreds of instances in one scene, a hand at each, what a frame costs. */
+/* A level of thousands of props that is streamed while a camera walks through it:
+ *   sample_many_objects [--props N] [--frames N] [--reach M] [--budget MS] [--fps N] [--models DIR] [-o DIR]
+ * [FILE.dmo…] Kinds of props are the files, and one that is prepared while the frames go on. Writes level.png,
+ * frames.png and report.txt to DIR. */
+#include <errno.h>
+#include <inttypes.h>
+#include <string.h>
 #include <time.h>
 
 #include "../common/cabinet.h"
+#include "../common/output_file.h"
+#include "../common/vectors.h"
 #include "../common/weights.h"
+#include "draw.h"
+#include "kinds.h"
 
-enum { ROWS = 16, COLUMNS = 16, COUNT = ROWS * COLUMNS, FRAMES = 120 };
+enum {
+    MOST_FILES = MOST_KINDS - 1,
+    MOST_PROPS = 1000000,
+    MOST_FRAMES = 1000000,
+    FILL_FRAMES = 20000 /* most behind a loading screen */
+};
+#define MOST_REACH 1000.0f /* m */
 
-static double now_us(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return 1e6 * (double)t.tv_sec + 1e-3 * (double)t.tv_nsec;
+typedef struct options {
+    uint32_t props, frames;
+    float reach, budget,
+        fps; /* m, ms, frames a second. fps 0: each frame waits for the jobs, so that all counts are the same */
+    const char *models, *folder;
+    const char* files[MOST_FILES];
+    uint32_t file_count;
+} options;
+
+typedef struct game {
+    host host;
+    level level;
+    stream stream;
+    hands hands;
+    frame_note* notes;
+    uint32_t walked, over;                        /* frames; over: beyond the budget */
+    float worst, sum;                             /* ms */
+    uint32_t fill_frames, settle_frames, missing; /* before and after the walk; props that are missing then */
+    uint32_t most_here, most_placed;
+    uint64_t most_bytes;
+} game;
+
+/* ---- a frame ---- */
+
+/* To the end of the level, and most of the way back. */
+static float walk_z(const game* g, uint32_t frame, uint32_t frames) {
+    const float t = (float)frame / (float)frames, back = 0.75f, turn = 1 / (1 + back);
+    return -level_length(&g->level) * (t < turn ? t / turn : 1 - (t - turn) / turn);
 }
 
-/* A pose without a turn: dual = half the translation. */
-static dm_pose placed(float x, float y, float z) {
-    return (dm_pose){{0, 0, 0, 1}, {x / 2, y / 2, z / 2, 0}};
+static dm_camera camera_at(float z, bool back) {
+    return (dm_camera){.struct_size = sizeof(dm_camera),
+                       .fov_y = 1.0f,
+                       .eye = {0, 1.7f, z},
+                       .forward = {0, -0.12f, back ? 1.0f : -1.0f},
+                       .up = {0, 1, 0},
+                       .viewport_width = 960,
+                       .viewport_height = 540};
 }
 
-static dm_result place_all(dm_context* context, dm_scene scene, dm_object object, uint32_t instances[COUNT]) {
+/* Drags and streaming change the scene, one commit shows it, and picks see it. */
+static dm_result play_frame(game* g, const dm_camera* camera, double budget_us, frame_note* out) {
+    stream* s = &g->stream;
+    const double wall = wall_us(), start = thread_us();
+    dm_result result = hands_pull(&g->hands);
+    const double streaming = thread_us();
+    out->missing = stream_step(s, camera->eye.x, camera->eye.z, wall + budget_us);
+    const double streamed = thread_us();
+    if (result == DM_OK) result = dm_scene_commit(s->context, s->scene);
+    if (result == DM_OK) result = hands_look(&g->hands, camera, s->frame);
+    out->stream_ms = (float)(1e-3 * (streamed - streaming));
+    out->rest_ms = (float)(1e-3 * (thread_us() - streamed + streaming - start));
+    out->placed = s->placed_count;
+    return result;
+}
+
+static void note_frame(game* g, const frame_note* note, const options* o) {
+    const float ms = note->stream_ms + note->rest_ms;
+    dm_memory_info memory = {.struct_size = sizeof memory};
+    dm_context_get_memory(g->stream.context, &memory);
+    if (memory.bytes - memory.kept_bytes > g->most_bytes) g->most_bytes = memory.bytes - memory.kept_bytes;
+    if (g->stream.here > g->most_here) g->most_here = g->stream.here;
+    if (note->placed > g->most_placed) g->most_placed = note->placed;
+    g->worst = ms > g->worst ? ms : g->worst;
+    g->sum += ms;
+    g->over += ms > o->budget;
+    g->notes[g->walked++] = *note;
+}
+
+/* Leaves the processor to the job threads. */
+static void rest_until(double when_us) {
+    const double left = when_us - wall_us();
+    if (!(left > 0)) return;
+    const struct timespec time = {(time_t)(left / 1e6), (long)(1e3 * (left - 1e6 * (double)(time_t)(left / 1e6)))};
+    nanosleep(&time, NULL);
+}
+
+/* Plays frames until all that is within reach is there, as behind a loading screen. */
+static dm_result fill(game* g, const dm_camera* camera, const options* o, uint32_t* out_frames) {
+    frame_note note = {.missing = 1};
     dm_result result = DM_OK;
-    for (int i = 0; i < COUNT && result == DM_OK; i++) {
-        const int row = i / COLUMNS, column = i % COLUMNS;
-        const dm_pose at = placed(0.8f * (float)column, 0, -1.5f * (float)row);
-        result = dm_scene_add(context, scene, object, &at, &instances[i]);
+    for (*out_frames = 0; note.missing > 0 && *out_frames < FILL_FRAMES && result == DM_OK; ++*out_frames) {
+        result = play_frame(g, camera, 1e3 * (double)o->budget, &note);
+        host_wait(&g->host);
     }
-    return result == DM_OK ? dm_scene_commit(context, scene) : result;
+    g->missing = note.missing;
+    return result;
 }
 
-static dm_result grab_all(dm_context* context, dm_object object, dm_drag drags[COUNT]) {
+static dm_result walk(game* g, const options* o) {
     dm_result result = DM_OK;
-    for (int i = 0; i < COUNT && result == DM_OK; i++) {
-        const int drawer = i % 2;
-        const dm_drag_desc grab = {.struct_size = sizeof grab,
-                                   .object = object,
-                                   .part_id = drawer ? CABINET_DRAWER : CABINET_DOOR,
-                                   .grab_point = {drawer ? 0.3f : 0.55f, drawer ? 0.88f : 0.45f, 0.45f}};
-        result = dm_drag_begin(context, &grab, &drags[i]);
+    g->stream.counts.late = 0; /* those of the loading screen */
+    for (uint32_t i = 0; i < o->frames && result == DM_OK; i++) {
+        const float z = walk_z(g, i, o->frames);
+        const dm_camera camera = camera_at(z, walk_z(g, i + 1, o->frames) > z);
+        const double start = wall_us();
+        frame_note note = {0};
+        result = play_frame(g, &camera, 1e3 * (double)o->budget, &note);
+        note_frame(g, &note, o);
+        if (o->fps > 0)
+            rest_until(start + 1e6 / (double)o->fps);
+        else
+            host_wait(&g->host);
     }
     return result;
 }
 
-/* One frame: every hand moves its part, the scene learns of it, one ray is picked. Rays are in each object's frame. */
-static dm_result play_frame(dm_context* context, dm_scene scene, const uint32_t instances[COUNT],
-                            const dm_drag drags[COUNT], int frame) {
-    dm_result result = DM_OK;
-    dm_hit hit = {.struct_size = sizeof hit};
-    const dm_ray look = {{3, 1.5f, 4}, {-0.2f, -0.3f, -1}};
-    for (int i = 0; i < COUNT && result == DM_OK; i++) {
-        const dm_ray hand = {{0.5f - 0.004f * (float)frame, 2.0f, 1.0f + 0.002f * (float)frame}, {0, -1.5f, -0.6f}};
-        dm_drag_state state = {.struct_size = sizeof state};
-        result = dm_drag_update(context, drags[i], &hand, 1.0f / 60, &state);
-        if (result == DM_OK)
-            result = dm_scene_move(context, scene, instances[i], i % 2 ? CABINET_DRAWER : CABINET_DOOR, &state.pose);
+/* ---- what is left of it ---- */
+
+static int write_report(const game* g, const options* o, char* text, size_t size) {
+    const stream_counts* c = &g->stream.counts;
+    return snprintf(
+        text, size,
+        "level: %u props of %u kinds, %.0f m long; reach %.0f m\n"
+        "frames: %u, after %u of a loading screen; %u more until all was there, %u props missing\n"
+        "frame: %.3f ms on average, %.3f ms the worst, %u beyond the budget of %g ms\n"
+        "props: %" PRIu64 " came, %" PRIu64 " went, %u at once at most, late %" PRIu64 " times a frame each\n"
+        "kinds: %" PRIu64 " loaded, %" PRIu64 " prepared, %" PRIu64 " given back, %u at once at most\n"
+        "hands: %" PRIu64 " picks, %" PRIu64 " hits, %" PRIu64 " drags, %" PRIu64 " updates; %u parts kept, %" PRIu64
+        " put back\n"
+        "memory: %.2f MB in use at most; the host gave %.2f MB at most, scratch included\n",
+        o->props, g->stream.kind_count, (double)level_length(&g->level), (double)o->reach, g->walked, g->fill_frames,
+        g->settle_frames, g->missing, (double)(g->sum / (float)g->walked), (double)g->worst, g->over, (double)o->budget,
+        c->placed, c->removed, g->most_placed, c->late, c->loaded, c->prepared, c->unloaded, g->most_here,
+        g->hands.picks, g->hands.hits, g->hands.drags, g->hands.updates, g->level.kept_count, c->restored,
+        (double)g->most_bytes / 1048576, (double)atomic_load(&g->host.peak) / 1048576);
+}
+
+static int complain(const char* path) {
+    fprintf(stderr, "can't write %s: %s\n", path, strerror(errno));
+    return 1;
+}
+
+static int write_picture(canvas picture, const char* folder, const char* name) {
+    char path[1024];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    const int status = canvas_write(&picture, path) != 0 ? complain(path) : 0;
+    canvas_free(&picture);
+    return status;
+}
+
+static int write_all(const game* g, const options* o, const dm_camera* camera) {
+    char text[2048], path[1024];
+    const int size = write_report(g, o, text, sizeof text);
+    fputs(text, stdout);
+    if (o->folder == NULL) return 0;
+    snprintf(path, sizeof path, "%s/report.txt", o->folder);
+    if (output_write(path, text, (size_t)size) != 0) return complain(path);
+    dm_camera high = *camera; /* the walker's view, from farther up */
+    high.eye.y = 4.5f, high.forward.y = -0.3f;
+    return write_picture(draw_level(&g->hands, &high, 960, 540), o->folder, "level.png") ||
+           write_picture(draw_frames(g->notes, g->walked, o->budget), o->folder, "frames.png");
+}
+
+/* ---- the program ---- */
+
+/* Returns the value of an option, and moves past it; NULL: it is another one, or has none. */
+static const char* value_of(const char* name, int argc, char** argv, int* inout_at) {
+    if (strcmp(argv[*inout_at], name) != 0 || *inout_at + 1 >= argc) return NULL;
+    return argv[++*inout_at];
+}
+
+static bool read_options(int argc, char** argv, options* out) {
+    *out = (options){.props = 5000, .frames = 3600, .reach = 30, .budget = 0.5f, .fps = 60, .models = "sdk/models"};
+    for (int i = 1; i < argc; i++) {
+        const char* value;
+        if ((value = value_of("--props", argc, argv, &i)) != NULL)
+            out->props = (uint32_t)strtoul(value, NULL, 10);
+        else if ((value = value_of("--frames", argc, argv, &i)) != NULL)
+            out->frames = (uint32_t)strtoul(value, NULL, 10);
+        else if ((value = value_of("--reach", argc, argv, &i)) != NULL)
+            out->reach = strtof(value, NULL);
+        else if ((value = value_of("--budget", argc, argv, &i)) != NULL)
+            out->budget = strtof(value, NULL);
+        else if ((value = value_of("--fps", argc, argv, &i)) != NULL)
+            out->fps = strtof(value, NULL);
+        else if ((value = value_of("--models", argc, argv, &i)) != NULL)
+            out->models = value;
+        else if ((value = value_of("-o", argc, argv, &i)) != NULL)
+            out->folder = value;
+        else if (argv[i][0] != '-' && out->file_count < MOST_FILES)
+            out->files[out->file_count++] = argv[i];
+        else
+            return false;
     }
-    if (result == DM_OK) result = dm_scene_commit(context, scene);
-    return result == DM_OK ? dm_scene_pick(context, scene, &look, &hit) : result;
+    return out->props > 0 && out->props <= MOST_PROPS && out->frames > 0 && out->frames <= MOST_FRAMES &&
+           out->reach > 0 && out->reach <= MOST_REACH && out->budget > 0 && out->fps >= 0;
+}
+
+/* The context, the scene and the level. */
+static bool open_game(game* g, const options* o) {
+    stream* s = &g->stream;
+    const dm_context_desc desc = {
+        .struct_size = sizeof desc, .allocator = host_allocator(&g->host), .log = {NULL, print_message}};
+    const dm_scene_desc scene = {.struct_size = sizeof scene};
+    *s = (stream){.host = &g->host, .level = &g->level, .reach = o->reach, .leaves = hands_leave, .user = &g->hands};
+    g->hands.stream = s;
+    g->notes = calloc(o->frames, sizeof *g->notes);
+    return g->notes != NULL && host_open(&g->host) && dm_context_create(&desc, &s->context) == DM_OK &&
+           load_weights(s->context, o->models, &s->model) == DM_OK &&
+           dm_scene_create(s->context, &scene, &s->scene) == DM_OK &&
+           level_make(&g->level, o->props, o->file_count + 1) && stream_open(s, o->files, o->file_count);
+}
+
+/* Jobs end before what they work on goes. */
+static void close_game(game* g) {
+    hands_rest(&g->hands);
+    host_close(&g->host);
+    dm_context_destroy(g->stream.context);
+    stream_close(&g->stream);
+    level_free(&g->level);
+    free(g->notes);
 }
 
 int main(int argc, char** argv) {
-    static cabinet shape;
-    static uint32_t instances[COUNT];
-    static dm_drag drags[COUNT];
-    const dm_context_desc host = {.struct_size = sizeof host, .log = {NULL, print_message}};
-    const dm_scene_desc empty = {.struct_size = sizeof empty};
-    dm_context* context;
-    dm_model model;
-    dm_object object;
-    dm_scene scene;
-    if (dm_context_create(&host, &context) != DM_OK) return 1;
-    if (load_weights(context, argc > 1 ? argv[1] : "sdk/models", &model) != DM_OK) return 1;
-    const dm_mesh_desc mesh = cabinet_make(&shape);
-    const dm_object_desc desc = {.struct_size = sizeof desc, .mesh = &mesh, .model = model};
-    if (dm_object_prepare(context, &desc, &object) != DM_OK) return 1;
-    if (dm_scene_create(context, &empty, &scene) != DM_OK) return 1;
-    if (place_all(context, scene, object, instances) != DM_OK || grab_all(context, object, drags) != DM_OK) return 1;
-
-    double worst = 0;
-    const double start = now_us();
-    for (int frame = 0; frame < FRAMES; frame++) {
-        const double begun = now_us();
-        if (play_frame(context, scene, instances, drags, frame) != DM_OK) return 1;
-        worst = now_us() - begun > worst ? now_us() - begun : worst;
+    static game g;
+    static options o;
+    platform_start(&argc, &argv);
+    if (!read_options(argc, argv, &o)) {
+        fprintf(stderr,
+                "%s [--props N] [--frames N] [--reach M] [--budget MS] [--fps N] [--models DIR] [-o DIR] "
+                "[FILE.dmo...]\n",
+                argv[0]);
+        return 2;
     }
-    const double mean = (now_us() - start) / FRAMES;
-    dm_memory_info memory = {.struct_size = sizeof memory};
-    dm_context_get_memory(context, &memory);
-    printf(
-        "%d cabinets, each with a part in someone's hand: %.0f us a frame, worst %.0f; %.1f KiB + %.1f KiB to pick\n",
-        COUNT, mean, worst, (double)memory.bytes / 1024, (double)memory.pick_bytes / 1024);
-    dm_context_destroy(context);
-    return 0;
+    if (!open_game(&g, &o)) return 1;
+    const dm_camera first = camera_at(0, false), last = camera_at(walk_z(&g, o.frames, o.frames), true);
+    dm_result result = fill(&g, &first, &o, &g.fill_frames);
+    if (result == DM_OK) result = walk(&g, &o);
+    if (result == DM_OK) result = fill(&g, &last, &o, &g.settle_frames);
+    if (result != DM_OK) fprintf(stderr, "%s\n", dm_result_string(result));
+    const int status = write_all(&g, &o, &last) != 0 || result != DM_OK || g.stream.failed > 0;
+    close_game(&g);
+    if (atomic_load(&g.host.used) != 0) fprintf(stderr, "%zu bytes are left\n", atomic_load(&g.host.used));
+    return status || atomic_load(&g.host.used) != 0;
 }

@@ -108,6 +108,7 @@ for sample in $samples; do
     case $sample in
     dynamic_load) arguments=$([ -z "$suffix" ] && echo "$built/libdragmesh.so" || echo dragmesh.dll) ;;
     prepare_offline) arguments=$work/kitchen_cabinet.there.dmo ;;
+    many_objects) arguments="--props 400 --frames 120 --reach 6 --fps 0 $work/kitchen_cabinet.there.dmo" ;;
     esac
     $runner "$built/samples/sample_$sample$suffix" $arguments > "$work/sample.txt" 2>&1 && tail -n 1 "$work/sample.txt" ||
         { complain "sample_$sample failed"; cat "$work/sample.txt" >&2; }

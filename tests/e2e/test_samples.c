@@ -90,11 +90,76 @@ static void test_gpu_skinning(void** state) {
     assert_says("vertices in 11 poses");
 }
 
+/* Draws an object and prepares it offline, as a level's props are. */
+static void make_prop(const char* folder, const char* category) {
+    char glb[2 * TOOL_PATH];
+    snprintf(glb, sizeof glb, "%s/%s", folder, category);
+    tool_run(&out, "dragmesh_generate", NULL, "--category|%s|--seed|1|-o|%s", category, glb);
+    assert_int_equal(out.status, 0);
+    tool_run(&out, "dragmesh", NULL, "prepare|%s/object.glb|-o|%s.dmo", glb, glb);
+    assert_int_equal(out.status, 0);
+}
+
+/* The number after some words of the report. */
+static unsigned long said_after(const char* words) {
+    const char* at = strstr(out.text, words);
+    if (at == NULL) fail_msg("\"%s\" is not in:\n%s%s", words, out.text, out.errors);
+    return strtoul(at + strlen(words), NULL, 10);
+}
+
+/* The lines of the report that hold no time and no memory. */
+static void copy_counts(char* to) {
+    char* line = strtok(out.text, "\n");
+    for (*to = 0; line != NULL; line = strtok(NULL, "\n"))
+        if (strncmp(line, "frame: ", 7) != 0 && strncmp(line, "memory: ", 8) != 0) strcat(strcat(to, line), "\n");
+}
+
+static void assert_is_png(const char* folder, const char* name) {
+    char path[2 * TOOL_PATH];
+    size_t size;
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    char* png = tool_read(path, &size);
+    assert_true(size > 5000 && memcmp(png, "\x89PNG", 4) == 0);
+    free(png);
+}
+
+/* A short walk, in which each frame waits for the jobs: all counts are the same on every run. */
 static void test_many_objects(void** state) {
     (void)state;
-    run_sample("many_objects", "sdk/models");
+    static char first[TOOL_TEXT], second[TOOL_TEXT];
+    char folder[TOOL_PATH], arguments[8 * TOOL_PATH];
+    tool_folder_make(folder);
+    make_prop(folder, "chest");
+    make_prop(folder, "nightstand");
+    int size = snprintf(arguments, sizeof arguments, "--props|400|--frames|120|--reach|6|--fps|0|--budget|1000");
+    for (int i = 0; i < 5; i++) /* ten kinds of two files */
+        size += snprintf(arguments + size, sizeof arguments - (size_t)size, "|%s/chest.dmo|%s/nightstand.dmo", folder,
+                         folder);
+    snprintf(arguments + size, sizeof arguments - (size_t)size, "|-o|%s", folder);
+    run_sample("many_objects", arguments);
+    if (out.status != 0) fail_msg("%s%s", out.text, out.errors);
+    assert_says("level: 400 props of 11 kinds");
+    assert_says("1 prepared,");
+    assert_says("more until all was there, 0 props missing");
+    const unsigned long came = said_after("props: "), went = said_after("came, "), most = said_after("went, ");
+    assert_true(went > 0 && came > went && came - went <= most && most < 100); /* of 400, few are there at once */
+    assert_true(said_after("prepared, ") > 0);                                 /* kinds that were given back */
+    assert_true(said_after("picks, ") > 0 && said_after("hits, ") > 0 && said_after("drags, ") > 0);
+    assert_true(said_after("parts kept, ") > 0); /* put back: what was opened is open when it comes again */
+    assert_is_png(folder, "level.png");
+    assert_is_png(folder, "frames.png");
+    copy_counts(first);
+    arguments[size] = 0;
+    run_sample("many_objects", arguments);
     assert_int_equal(out.status, 0);
-    assert_says("256 cabinets");
+    copy_counts(second);
+    assert_true(strlen(second) > 100);
+    tool_folder_remove(folder);
+    run_sample("many_objects", "--frames|2|--props|24|no_such.dmo");
+    assert_int_equal(out.status, 1);
+    assert_non_null(strstr(out.errors, "no_such.dmo: "));
+    run_sample("many_objects", "--props|0");
+    assert_int_equal(out.status, 2);
 }
 
 static void test_whole_host(void** state) {
