@@ -1,7 +1,7 @@
 /* soak LIBRARY MODELS [SHARE] — long lives of a host, after each of which no more memory is held than soon after its
- * start: the library opened and closed, contexts, an editor's cycles, drags, and a day of a scene whose objects come
- * and go. SHARE of the full numbers; 1 without it. Prints a line a life: how often, what the host's allocator holds at
- * the first and the last look, and the resident set. Status 1 where one has grown. */
+ * start: the library opened and closed, contexts, levels, an editor's cycles, drags, and a day of a scene whose objects
+ * come and go. SHARE of the full numbers; 1 without it. Prints a line a life: how often, what the host's allocator
+ * holds at the first and the last look, and the resident set. Status 1 where one has grown. */
 #include <malloc.h>
 #include <stdatomic.h>
 #include <string.h>
@@ -14,6 +14,7 @@
 enum {
     OPENINGS = 2000,
     CONTEXTS = 100000,
+    LEVELS = 10000,
     EDITOR_CYCLES = 2000,
     DRAGS = 10000000,
     DAY = 24 * 3600, /* s */
@@ -185,6 +186,55 @@ static int contexts(double share) {
     return end(&l);
 }
 
+/* After dm_context_trim nothing is kept, and the context counts what the host's allocator has given. */
+static void expect_trimmed(dm_context* context) {
+    dm_memory_info now = dm_memory_info_default();
+    must(dm->context_trim(context), "trim");
+    must(dm->context_get_memory(context, &now), "memory");
+    if (now.kept_bytes == 0 && now.bytes == (uint64_t)atomic_load(&held)) return;
+    fprintf(stderr, "soak: %llu bytes by the context, %lld by the host, %llu kept\n", (unsigned long long)now.bytes,
+            (long long)atomic_load(&held), (unsigned long long)now.kept_bytes);
+    exit(1);
+}
+
+/* A level comes, is played, and goes: weights, an object from a file, its instance in a scene. */
+static void play_level(dm_context* context, const char* folder, const file* saved) {
+    const dm_scene_desc desc = dm_scene_desc_default();
+    const dm_ray ray = {{0.3f, 0.5f, 3}, {0, 0, -1}};
+    dm_hit hit = dm_hit_default();
+    dm_object object;
+    dm_scene scene;
+    uint32_t instance;
+    const dm_model model = load_model(context, folder);
+    must(dm->object_load(context, saved->data, saved->size, model, &object), "load");
+    must(dm->scene_create(context, &desc, &scene), "scene");
+    must(dm->scene_add(context, scene, object, NULL, &instance), "add");
+    must(dm->scene_commit(context, scene), "commit");
+    must(dm->context_trim(context), "trim");
+    must(dm->scene_pick(context, scene, &ray, &hit), "pick");
+    if (hit.object != object) exit(1);
+    pull(context, grab(context, object, CABINET_DOOR), 3); /* ends with its object */
+    must(dm->object_destroy(context, object), "destroy");
+    must(dm->scene_destroy(context, scene), "destroy");
+    must(dm->model_unload(context, model), "unload");
+    expect_trimmed(context);
+}
+
+static int levels(const char* folder, double share) {
+    life l = begin("levels loaded, trimmed, unloaded", LEVELS * share);
+    dm_context* context = open_context();
+    const dm_object object = prepare(context, 0, 1);
+    const file saved = save(context, object);
+    must(dm->object_destroy(context, object), "destroy");
+    for (uint64_t i = 1; i <= l.count; i++) {
+        play_level(context, folder, &saved);
+        look(&l, i);
+    }
+    free(saved.data);
+    dm->context_destroy(context);
+    return end(&l);
+}
+
 /* As somebody edits: prepares again, corrects a joint, tries a pull, saves, looks at what was saved. */
 static int editor(dm_context* context, dm_model model, double share) {
     life l = begin("cycles of an editor", EDITOR_CYCLES * share);
@@ -306,6 +356,7 @@ int main(int argc, char** argv) {
     dm = dm_library_open(&library, argv[1]);
     if (dm == NULL) return 1;
     grown |= contexts(share);
+    grown |= levels(argv[2], share);
     dm_context* context = open_context();
     const dm_model model = load_model(context, argv[2]);
     const dm_object object = prepare(context, model, 1);

@@ -193,6 +193,53 @@ static void many_lives_hold_no_more_than_one(void** state) {
     test_world_close(&w);
 }
 
+/* What docs/memory.md says of a context and of the first handle of a kind. */
+enum { CONTEXT_BYTES = 1945, FIRST_HANDLE_BYTES = 1536 };
+
+/* A level comes and goes: weights, an object from a file, an instance of it that is picked. */
+static void play_level(test_world* w, const uint8_t* file, size_t size) {
+    const dm_scene_desc desc = {.struct_size = sizeof desc};
+    dm_object object;
+    dm_scene scene;
+    uint32_t instance;
+    test_world_load_model(w);
+    assert_int_equal(dm_object_load(w->context, file, size, w->model, &object), DM_OK);
+    assert_int_equal(dm_scene_create(w->context, &desc, &scene), DM_OK);
+    assert_int_equal(dm_scene_add(w->context, scene, object, NULL, &instance), DM_OK);
+    assert_int_equal(dm_scene_commit(w->context, scene), DM_OK);
+    assert_int_equal(dm_scene_destroy(w->context, scene), DM_OK);
+    assert_int_equal(dm_object_destroy(w->context, object), DM_OK);
+    assert_int_equal(dm_model_unload(w->context, w->model), DM_OK);
+}
+
+/* Once all has gone, a trim leaves the context and the room for handles; by the host's count and by the context's. */
+static void a_trim_leaves_the_context_and_room_for_handles(void** state) {
+    (void)state;
+    test_world w;
+    open_world(&w, 0);
+    dm_object object;
+    size_t size = 0;
+    assert_int_equal(prepare(&w, 1, &object), DM_OK);
+    assert_int_equal(dm_object_save(w.context, object, NULL, 0, &size), DM_OK);
+    uint8_t* file = malloc(size);
+    assert_int_equal(dm_object_save(w.context, object, file, size, &size), DM_OK);
+    assert_int_equal(dm_object_destroy(w.context, object), DM_OK);
+    assert_int_equal(dm_model_unload(w.context, w.model), DM_OK);
+    int64_t first = 0;
+    for (int i = 0; i < LIVES; i++) {
+        play_level(&w, file, size);
+        if (i % 2 == 1) continue; /* the next one finds the memory of this one */
+        assert_int_equal(dm_context_trim(w.context), DM_OK);
+        assert_int_equal(memory_of(&w).kept_bytes, 0);
+        assert_int_equal(memory_of(&w).bytes, w.memory.live_bytes);
+        if (i == 0) first = w.memory.live_bytes;
+        assert_int_equal(w.memory.live_bytes, first);
+    }
+    assert_true(first <= CONTEXT_BYTES + 3 * FIRST_HANDLE_BYTES);
+    free(file);
+    test_world_close(&w);
+}
+
 /* ---- threads ---- */
 
 typedef struct worker {
@@ -246,6 +293,7 @@ int main(void) {
         cmocka_unit_test(absurd_sizes_are_refused),
         cmocka_unit_test(a_second_call_asks_the_host_for_little),
         cmocka_unit_test(many_lives_hold_no_more_than_one),
+        cmocka_unit_test(a_trim_leaves_the_context_and_room_for_handles),
         cmocka_unit_test(threads_share_what_is_kept),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
