@@ -6,9 +6,11 @@ import sys
 import time
 from pathlib import Path
 
-import torch
-from torch import nn
+START = time.process_time()
+import torch  # noqa: E402
+from torch import nn  # noqa: E402
 
+IMPORTED = time.process_time()
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "training"))
 from dragmesh_training.networks import KPP_CHANNELS, KPP_SHAPE, VAE_SIZES, DqVae, KppNet  # noqa: E402
 
@@ -61,11 +63,24 @@ def show(what, module, call, rounds):
                       "parameters": sum(math.prod(p.shape) for p in module.parameters())}), flush=True)
 
 
+def seconds(call):
+    start = time.process_time()
+    with torch.no_grad():
+        call()
+    return time.process_time() - start
+
+
+def show_first(what, first, again):
+    print(json.dumps({"who": "pytorch", "first": what, "first_ns": 1e9 * first, "again_ns": 1e9 * again}), flush=True)
+
+
 def main():
     torch.set_num_threads(1)
     torch.manual_seed(1)
     vae, kpp = DqVae().eval(), KppNet().eval()
     batch, inputs = vae_batch(512), kpp_inputs()
+    show_first("import it", IMPORTED - START, 0)
+    show_first("compute KPP-Net", *[seconds(lambda: kpp(*inputs)) for _ in range(2)])
     show("motion, same network", vae, lambda: vae(batch), 200)
     show("kinematics, same network alone", kpp, lambda: kpp(*inputs), 200)
     large, batch = DqVae(VAE_SIZES["paper"]).eval(), vae_batch(REFERENCE_POINTS)
