@@ -4,6 +4,7 @@
  * frames.png and report.txt to DIR. */
 #include <errno.h>
 #include <inttypes.h>
+#include <math.h>
 #include <string.h>
 #include <time.h>
 
@@ -24,8 +25,7 @@ enum {
 
 typedef struct options {
     uint32_t props, frames;
-    float reach, budget,
-        fps; /* m, ms, frames a second. fps 0: each frame waits for the jobs, so that all counts are the same */
+    float reach, budget, fps; /* m, ms, frames a second. fps 0: no budget, and each frame waits for the jobs */
     const char *models, *folder;
     const char* files[MOST_FILES];
     uint32_t file_count;
@@ -63,12 +63,12 @@ static dm_camera camera_at(float z, bool back) {
 }
 
 /* Drags and streaming change the scene, one commit shows it, and picks see it. */
-static dm_result play_frame(game* g, const dm_camera* camera, double budget_us, frame_note* out) {
+static dm_result play_frame(game* g, const dm_camera* camera, const options* o, frame_note* out) {
     stream* s = &g->stream;
-    const double wall = wall_us(), start = thread_us();
+    const double deadline = o->fps > 0 ? wall_us() + 1e3 * (double)o->budget : INFINITY, start = thread_us();
     dm_result result = hands_pull(&g->hands);
     const double streaming = thread_us();
-    out->missing = stream_step(s, camera->eye.x, camera->eye.z, wall + budget_us);
+    out->missing = stream_step(s, camera->eye.x, camera->eye.z, deadline);
     const double streamed = thread_us();
     if (result == DM_OK) result = dm_scene_commit(s->context, s->scene);
     if (result == DM_OK) result = hands_look(&g->hands, camera, s->frame);
@@ -104,7 +104,7 @@ static dm_result fill(game* g, const dm_camera* camera, const options* o, uint32
     frame_note note = {.missing = 1};
     dm_result result = DM_OK;
     for (*out_frames = 0; note.missing > 0 && *out_frames < FILL_FRAMES && result == DM_OK; ++*out_frames) {
-        result = play_frame(g, camera, 1e3 * (double)o->budget, &note);
+        result = play_frame(g, camera, o, &note);
         host_wait(&g->host);
     }
     g->missing = note.missing;
@@ -119,7 +119,7 @@ static dm_result walk(game* g, const options* o) {
         const dm_camera camera = camera_at(z, walk_z(g, i + 1, o->frames) > z);
         const double start = wall_us();
         frame_note note = {0};
-        result = play_frame(g, &camera, 1e3 * (double)o->budget, &note);
+        result = play_frame(g, &camera, o, &note);
         note_frame(g, &note, o);
         if (o->fps > 0)
             rest_until(start + 1e6 / (double)o->fps);
