@@ -3,8 +3,10 @@ stands there between the markers."""
 import json
 import platform
 import sys
+import textwrap
 from pathlib import Path
 
+LINE = 110  # characters of a page's line
 BEGIN, END = "<!-- peers: written by tests/bench/peers/run --write -->", "<!-- peers: end -->"
 
 
@@ -31,8 +33,8 @@ PAIRS = [("motion", "motion", [("pytorch", "motion, same network"), ("pytorch", 
          ("100,000 points", "points", [("memcpy", "points"), ("cglm", "points")])]
 PAIRS += [(f"product 16 × {name[5:].replace('_', ' × ')}", f"network: {name}", [("onednn", name)])
           for name in ("gemm_96_288", "gemm_96_96", "gemm_96_384", "gemm_384_96")]
-NAMES = {"pytorch": "PyTorch", "onednn": "oneDNN, weights packed", "memcpy": "memcpy of the same bytes",
-         "cglm": "cglm's `glm_mat4_mulv3` in a loop", "dragmesh": "dragmesh", "embree": "bare Embree"}
+NAMES = {"dragmesh": "dragmesh", "embree": "bare Embree", "pytorch": "PyTorch", "onednn": "oneDNN, weights packed",
+         "memcpy": "memcpy of the same bytes", "cglm": "cglm's `glm_mat4_mulv3` in a loop"}
 
 
 def name_of(peer):
@@ -67,7 +69,7 @@ def table_of_first_use(rows):
             least[row["who"], row["first"]] = (min(before[0], row["first_ns"]), min(before[1], row["again_ns"]))
     yield "| first use | | the first time | the second |"
     yield "|---|---|---|---|"
-    for (who, what), (first, again) in least.items():
+    for (who, what), (first, again) in sorted(least.items(), key=lambda item: list(NAMES).index(item[0][0])):
         yield f"| {NAMES[who]} | {what} | {shown(first)} | {shown(again) if again > 0 else '–'} |"
 
 
@@ -99,9 +101,9 @@ def main(folder, page=None):
     rows = [row for name in ("ours", "onednn", "pytorch", "first_use") for row in read(folder / f"{name}.jsonl")]
     facts = json.loads((folder / "facts.json").read_text())
     times, best = times_of(rows, folder)
-    head = (f"One thread of {machine()}, {best.upper()}, {facts['compiler']}, version {facts['version']} of\n"
-            f"{facts['date']}. Processor time, medians of one run; of first uses the least of {facts['processes']} "
-            "processes.")
+    head = textwrap.fill(f"One thread of {machine()}, {best.upper()}, {facts['compiler']}, version {facts['version']} of "
+                         f"{facts['date']}. Processor time, medians of one run; of first uses the least of "
+                         f"{facts['processes']} processes.", LINE)
     parts = [head, *("\n".join(table) for table in (table_of_work(times), table_of_first_use(rows),
                                                     table_of_sizes(rows, facts["sizes"])))]
     text = "\n\n".join(parts)
