@@ -1,7 +1,7 @@
 /* A level of thousands of props that is streamed while a camera walks through it:
- *   sample_many_objects [--props N] [--frames N] [--reach M] [--budget MS] [--fps N] [--models DIR] [-o DIR]
- * [FILE.dmo…] Kinds of props are the files, and one that is prepared while the frames go on. Writes level.png,
- * frames.png and report.txt to DIR. */
+ *   sample_many_objects [OPTIONS] [-o DIR] [FILE.dmo…]
+ * Kinds of props are the files, and one that is prepared while the frames go on. Writes level.png, frames.png and
+ * report.txt to DIR. An option that it does not know makes it list them. */
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
@@ -19,13 +19,14 @@ enum {
     MOST_FILES = MOST_KINDS - 1,
     MOST_PROPS = 1000000,
     MOST_FRAMES = 1000000,
+    MOST_WIDTH = 8192,
     FILL_FRAMES = 20000 /* most behind a loading screen */
 };
 #define MOST_REACH 1000.0f /* m */
 
 typedef struct options {
-    uint32_t props, frames;
-    float reach, budget, fps; /* m, ms, frames a second. fps 0: no budget, and each frame waits for the jobs */
+    uint32_t props, frames, width; /* width: of level.png, pixels */
+    float reach, budget, fps;      /* m, ms, frames a second. fps 0: no budget, and each frame waits for the jobs */
     const char *models, *folder;
     const char* files[MOST_FILES];
     uint32_t file_count;
@@ -172,7 +173,8 @@ static int write_all(const game* g, const options* o, const dm_camera* camera) {
     if (output_write(path, text, (size_t)size) != 0) return complain(path);
     dm_camera high = *camera; /* the walker's view, from farther up */
     high.eye.y = 4.5f, high.forward.y = -0.3f;
-    return write_picture(draw_level(&g->hands, &high, 960, 540), o->folder, "level.png") ||
+    return write_picture(draw_level(&g->hands, &high, (int)o->width, (int)(o->width * 9 + 15) / 16), o->folder,
+                         "level.png") ||
            write_picture(draw_frames(g->notes, g->walked, o->budget), o->folder, "frames.png");
 }
 
@@ -185,13 +187,16 @@ static const char* value_of(const char* name, int argc, char** argv, int* inout_
 }
 
 static bool read_options(int argc, char** argv, options* out) {
-    *out = (options){.props = 5000, .frames = 3600, .reach = 30, .budget = 0.5f, .fps = 60, .models = "sdk/models"};
+    *out = (options){
+        .props = 5000, .frames = 3600, .width = 960, .reach = 30, .budget = 0.5f, .fps = 60, .models = "sdk/models"};
     for (int i = 1; i < argc; i++) {
         const char* value;
         if ((value = value_of("--props", argc, argv, &i)) != NULL)
             out->props = (uint32_t)strtoul(value, NULL, 10);
         else if ((value = value_of("--frames", argc, argv, &i)) != NULL)
             out->frames = (uint32_t)strtoul(value, NULL, 10);
+        else if ((value = value_of("--width", argc, argv, &i)) != NULL)
+            out->width = (uint32_t)strtoul(value, NULL, 10);
         else if ((value = value_of("--reach", argc, argv, &i)) != NULL)
             out->reach = strtof(value, NULL);
         else if ((value = value_of("--budget", argc, argv, &i)) != NULL)
@@ -208,7 +213,8 @@ static bool read_options(int argc, char** argv, options* out) {
             return false;
     }
     return out->props > 0 && out->props <= MOST_PROPS && out->frames > 0 && out->frames <= MOST_FRAMES &&
-           out->reach > 0 && out->reach <= MOST_REACH && out->budget > 0 && out->fps >= 0;
+           out->width > 0 && out->width <= MOST_WIDTH && out->reach > 0 && out->reach <= MOST_REACH &&
+           out->budget > 0 && out->fps >= 0;
 }
 
 /* The context, the scene and the level. */
@@ -242,12 +248,15 @@ int main(int argc, char** argv) {
     platform_start(&argc, &argv);
     if (!read_options(argc, argv, &o)) {
         fprintf(stderr,
-                "%s [--props N] [--frames N] [--reach M] [--budget MS] [--fps N] [--models DIR] [-o DIR] "
+                "%s [--props N] [--frames N] [--reach M] [--budget MS] [--fps N] [--width N] [--models DIR] [-o DIR] "
                 "[FILE.dmo...]\n",
                 argv[0]);
         return 2;
     }
-    if (!open_game(&g, &o)) return 1;
+    if (!open_game(&g, &o)) {
+        fprintf(stderr, "can't start: no memory, no threads, or no weights in %s\n", o.models);
+        return 1;
+    }
     const dm_camera first = camera_at(0, false), last = camera_at(walk_z(&g, o.frames, o.frames), true);
     dm_result result = fill(&g, &first, &o, &g.fill_frames);
     if (result == DM_OK) result = walk(&g, &o);

@@ -131,7 +131,7 @@ static void test_many_objects(void** state) {
     tool_folder_make(folder);
     make_prop(folder, "chest");
     make_prop(folder, "nightstand");
-    int size = snprintf(arguments, sizeof arguments, "--props|400|--frames|120|--reach|6|--fps|0");
+    int size = snprintf(arguments, sizeof arguments, "--props|400|--frames|120|--reach|6|--fps|0|--width|240");
     for (int i = 0; i < 5; i++) /* ten kinds of two files */
         size += snprintf(arguments + size, sizeof arguments - (size_t)size, "|%s/chest.dmo|%s/nightstand.dmo", folder,
                          folder);
