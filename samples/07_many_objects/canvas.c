@@ -9,6 +9,8 @@
 #ifndef __clang_analyzer__ /* which does not read that library's code */
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
+#else
+unsigned char* stbi_write_png_to_mem(const unsigned char* pixels, int stride, int x, int y, int n, int* out_len);
 #endif
 #include <stb/stb_image_write.h>
 

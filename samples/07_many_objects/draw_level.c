@@ -72,17 +72,19 @@ canvas draw_level(const hands* h, const dm_camera* camera, int width, int height
     dm_camera view = *camera;
     view.viewport_width = (float)width, view.viewport_height = (float)height;
     for (int i = 0; i < width * height && c.rgb != NULL; i++) {
+        const int column = i % width, row = i / width;
         dm_vec3 sum = {0, 0, 0};
         for (int k = 0; k < SAMPLES * SAMPLES; k++) {
-            const float x = (float)(i % width) + ((float)(k % SAMPLES) + 0.5f) / SAMPLES;
-            const float y = (float)(i / width) + ((float)(k / SAMPLES) + 0.5f) / SAMPLES;
+            const int across = k % SAMPLES, down = k / SAMPLES;
+            const float x = (float)column + ((float)across + 0.5f) / SAMPLES;
+            const float y = (float)row + ((float)down + 0.5f) / SAMPLES;
             dm_ray ray;
             if (dm_camera_ray(s->context, &view, x, y, &ray) != DM_OK) continue;
             sum = add(sum, shade(s, &ray, &camera->eye));
         }
         const dm_vec3 mean = scale(sum, 255.0f / (SAMPLES * SAMPLES));
         const uint8_t rgb[3] = {(uint8_t)fminf(mean.x, 255), (uint8_t)fminf(mean.y, 255), (uint8_t)fminf(mean.z, 255)};
-        canvas_blend(&c, i % width, i / width, rgb, 1);
+        canvas_blend(&c, column, row, rgb, 1);
     }
     return c;
 }

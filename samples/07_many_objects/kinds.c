@@ -12,16 +12,19 @@ static dm_result prepare(kind* k) {
     dm_context* context = k->owner->context;
     dm_result result = dm_object_prepare(context, &desc, &k->object);
     if (result == DM_OK) result = dm_object_save(context, k->object, NULL, 0, &k->byte_count);
-    if (result == DM_OK) k->bytes = malloc(k->byte_count);
-    if (k->bytes != NULL) result = dm_object_save(context, k->object, k->bytes, k->byte_count, &k->byte_count);
+    void* bytes = result == DM_OK ? malloc(k->byte_count) : NULL; /* without it, it is prepared anew the next time */
+    if (bytes != NULL) result = dm_object_save(context, k->object, bytes, k->byte_count, &k->byte_count);
+    k->bytes = bytes;
     return result;
 }
 
 static dm_result load(kind* k) {
-    size_t size = k->byte_count;
-    void* bytes = k->bytes != NULL ? k->bytes : read_whole(k->path, &size);
-    const dm_result result = dm_object_load(k->owner->context, bytes, size, 0, &k->object);
-    if (bytes != k->bytes) free(bytes);
+    dm_context* context = k->owner->context;
+    size_t size;
+    if (k->bytes != NULL) return dm_object_load(context, k->bytes, k->byte_count, 0, &k->object);
+    void* bytes = read_whole(k->path, &size);
+    const dm_result result = dm_object_load(context, bytes, size, 0, &k->object);
+    free(bytes);
     return result;
 }
 

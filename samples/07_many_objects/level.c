@@ -29,9 +29,10 @@ dm_pose level_place(const prop* p, float bottom) {
 static prop make_prop(uint32_t index, uint32_t kinds) {
     const uint32_t row = index / COLUMNS, column = index % COLUMNS, district = row / DISTRICT_ROWS;
     const uint32_t choice = scramble(index) % DISTRICT_KINDS;
+    const uint32_t from_street = column / 2;
     const float side = column % 2 ? 1.0f : -1.0f;
     return (prop){.kind = (district * (DISTRICT_KINDS - 2) + choice) % kinds,
-                  .x = side * (STREET + PITCH * (float)(column / 2)) + scatter(2 * index),
+                  .x = side * (STREET + PITCH * (float)from_street) + scatter(2 * index),
                   .z = -PITCH * (float)row + scatter(2 * index + 1)};
 }
 

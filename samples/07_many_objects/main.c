@@ -180,32 +180,33 @@ static int write_all(const game* g, const options* o, const dm_camera* camera) {
 
 /* ---- the program ---- */
 
-/* Returns the value of an option, and moves past it; NULL: it is another one, or has none. */
-static const char* value_of(const char* name, int argc, char** argv, int* inout_at) {
-    if (strcmp(argv[*inout_at], name) != 0 || *inout_at + 1 >= argc) return NULL;
-    return argv[++*inout_at];
+/* Takes the value of an option, and moves past it. Returns false when it is another option, or has no value. */
+static bool take(const char* name, int argc, char** argv, int* inout_at, const char** out_value) {
+    if (strcmp(argv[*inout_at], name) != 0 || *inout_at + 1 >= argc) return false;
+    *out_value = argv[++*inout_at];
+    return true;
 }
 
 static bool read_options(int argc, char** argv, options* out) {
     *out = (options){
         .props = 5000, .frames = 3600, .width = 960, .reach = 30, .budget = 0.5f, .fps = 60, .models = "sdk/models"};
     for (int i = 1; i < argc; i++) {
-        const char* value;
-        if ((value = value_of("--props", argc, argv, &i)) != NULL)
+        const char* value = NULL;
+        if (take("--props", argc, argv, &i, &value))
             out->props = (uint32_t)strtoul(value, NULL, 10);
-        else if ((value = value_of("--frames", argc, argv, &i)) != NULL)
+        else if (take("--frames", argc, argv, &i, &value))
             out->frames = (uint32_t)strtoul(value, NULL, 10);
-        else if ((value = value_of("--width", argc, argv, &i)) != NULL)
+        else if (take("--width", argc, argv, &i, &value))
             out->width = (uint32_t)strtoul(value, NULL, 10);
-        else if ((value = value_of("--reach", argc, argv, &i)) != NULL)
+        else if (take("--reach", argc, argv, &i, &value))
             out->reach = strtof(value, NULL);
-        else if ((value = value_of("--budget", argc, argv, &i)) != NULL)
+        else if (take("--budget", argc, argv, &i, &value))
             out->budget = strtof(value, NULL);
-        else if ((value = value_of("--fps", argc, argv, &i)) != NULL)
+        else if (take("--fps", argc, argv, &i, &value))
             out->fps = strtof(value, NULL);
-        else if ((value = value_of("--models", argc, argv, &i)) != NULL)
+        else if (take("--models", argc, argv, &i, &value))
             out->models = value;
-        else if ((value = value_of("-o", argc, argv, &i)) != NULL)
+        else if (take("-o", argc, argv, &i, &value))
             out->folder = value;
         else if (argv[i][0] != '-' && out->file_count < MOST_FILES)
             out->files[out->file_count++] = argv[i];
