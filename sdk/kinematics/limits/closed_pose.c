@@ -29,10 +29,6 @@ typedef struct closing {
     float closed_way; /* from closed, up to which it rests closed */
 } closing;
 
-static uint32_t stride_of(uint32_t count, uint32_t most) {
-    return count > most ? count / most : 1;
-}
-
 /* ---- distances to the body along the way ---- */
 
 /* Returns how far a point is from a body sample that lies before it on its way; FLT_MAX: it does not, or the two do not
@@ -55,7 +51,7 @@ static bool looks_ahead(const closing* c, uint32_t i) {
 static float way_of_point(const closing* c, uint32_t i, float least) {
     const dmi_part_analysis* a = c->analysis;
     float nearest = FLT_MAX;
-    for (uint32_t k = 0; k < a->near_count; k += stride_of(a->near_count, SAMPLES)) {
+    for (uint32_t k = 0; k < a->near_count && k < SAMPLES; k++) {
         const float way = way_between(c, a->points[i], a->normals[i], a->near_points[k], a->near_normals[k]);
         if (way > least && way < nearest) nearest = way;
     }
