@@ -9,7 +9,7 @@
 typedef struct dmi_patch_faces {
     dmi_mesh mesh;       /* without positions; indices are those of welded vertices */
     float (*corners)[3]; /* positions of the three corners of each face */
-    float* gap;          /* of a face's first corner to the other side; object-normalised */
+    float* gap;          /* least of a face's corners to the other side; object-normalised */
 } dmi_patch_faces;
 
 /* Copies the faces, the largest ones when there are very many. Overwrites `faces`. other_grid: distance grid of the
