@@ -7,14 +7,14 @@
 
 #include "base/arena.h"
 
-#define DMI_DISTANCE_GRID_CELLS 56 /* along the longest side; by hand */
+#define DMI_DISTANCE_GRID_CELLS 88 /* along the longest side; by hand */
 #define DMI_POINT_BATCH 192        /* most points of one call of a batched function */
 
 typedef struct dmi_distance_grid {
     float low[3], cell, per_cell; /* cell: side of a cell; per_cell = 1 / cell */
     int32_t size[3];              /* cells along each axis; x varies fastest */
     float* distance;              /* from a cell's centre to the centre of the nearest cell that holds a sample; 128
-                                   * cells, more than the grid's diagonal, when none does */
+                                   * cells where that is farther, or where no cell does */
     int16_t* in_row;              /* squared distances in cells to the nearest such cell of the same row (x) ... */
     int16_t* in_slab;             /* ... and of the same slab (x and y) */
     uint32_t* start;              /* samples of cell c: order[start[c]] .. order[start[c + 1] - 1] */
