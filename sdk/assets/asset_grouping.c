@@ -10,9 +10,15 @@
 #include "assets/staying_bodies.h"
 #include "math/elementary.h"
 
-/* Probability of a set that is answered as one half. Bodies that are found and those that are missed weigh alike (F1),
- * so that a set is worth an answer although it is less likely than not; on generated assets of kinds held out. */
+/* Probability from which a set is answered, which is stated as one half. Bodies that are found and those that are
+ * missed weigh alike (F1), so that a set is worth an answer although it is less likely than not; on generated assets of
+ * kinds held out. */
 #define EVEN 0.25f
+
+/* Probability that is stated as LIKELY_STATED: what is answered and as likely as not keeps close to one half. On the
+ * same assets. */
+#define LIKELY 0.5f
+#define LIKELY_STATED 0.58f
 
 #define NOTHING 0xff /* every byte of an index that is none */
 
@@ -60,9 +66,11 @@ static bool has_given(const dmi_asset_query* q, const dmi_asset_units* u, const 
 
 /* ---- choosing sets ---- */
 
-/* Stretches a probability so that EVEN becomes one half. */
-static float stretch(float probability) {
-    return probability < EVEN ? 0.5f * probability / EVEN : 0.5f + 0.5f * (probability - EVEN) / (1 - EVEN);
+/* Returns what is stated for a probability: itself below EVEN, at least one half from there on. */
+static float state(float probability) {
+    if (probability < EVEN) return probability;
+    if (probability < LIKELY) return 0.5f + (LIKELY_STATED - 0.5f) * (probability - EVEN) / (LIKELY - EVEN);
+    return LIKELY_STATED + (1 - LIKELY_STATED) * (probability - LIKELY) / (1 - LIKELY);
 }
 
 typedef struct choice {
@@ -81,7 +89,7 @@ static dm_result rate_sets(const dmi_asset_query* q, const dmi_asset_units* u, c
     for (uint32_t s = 0; result == DM_OK && s < tree->set_count; s++) {
         const uint32_t* members = tree->members + tree->first[s];
         c->moves[s] =
-            has_given(q, u, members, tree->size[s]) ? (tree->size[s] == 1 ? 1.0f : 0.0f) : stretch(ratings.moves[s]);
+            has_given(q, u, members, tree->size[s]) ? (tree->size[s] == 1 ? 1.0f : 0.0f) : state(ratings.moves[s]);
     }
     return result;
 }

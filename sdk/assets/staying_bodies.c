@@ -3,7 +3,7 @@
 
 #include "math/elementary.h"
 
-#define LEAST 0.1f /* probability below which a set is no answer; by hand */
+#define LEAST 0.05f /* probability below which a set is no answer; by hand */
 
 typedef struct choice {
     const dmi_merge_tree* tree;

@@ -10,6 +10,7 @@
 #include "assets/asset_weights.h"
 #include "assets/node_cells.h"
 #include "assets/set_openings.h"
+#include "assets/set_ratings.h"
 #include "mesh/mesh.h"
 #include "test_shapes.h"
 
@@ -197,6 +198,72 @@ static void a_single_node_stays(void** state) {
     close_scene(s);
 }
 
+/* ---- what is stated ---- */
+
+/* Returns the highest probability by which a set of the asset is rated. */
+static float rate(scene* s) {
+    uint32_t of_part[MOST_NODES + 1];
+    dmi_node_cells cells;
+    dmi_node_labels labels;
+    dmi_merge_tree tree;
+    dmi_set_ratings r;
+    float best = 0;
+    for (uint32_t p = 0; p < s->mesh->part_count; p++) of_part[p] = p == 0 ? UINT32_MAX : p - 1;
+    assert_int_equal(dmi_node_labels_make(&s->arena, s->nodes, s->count, s->order, s->count, true, &labels), DM_OK);
+    assert_int_equal(dmi_node_cells_make(&s->arena, s->mesh, of_part, s->count, NULL, &cells), DM_OK);
+    assert_int_equal(dmi_merge_tree_make(&s->arena, &cells, &labels, &s->models, NULL, &tree), DM_OK);
+    assert_int_equal(dmi_set_ratings_make(&s->arena, &tree, &s->models, DMI_CONTEXT_ROUNDS, NULL, &r), DM_OK);
+    for (uint32_t i = 0; i < tree.set_count; i++) best = dmi_fmaxf(best, r.moves[i]);
+    return best;
+}
+
+/* Groups, and returns the highest probability that is stated. */
+static float state_highest(scene* s) {
+    float best = 0;
+    assert_int_equal(group(s), DM_OK);
+    for (uint32_t b = 0; b < s->bodies.count; b++) best = dmi_fmaxf(best, s->bodies.bodies[b].moves);
+    return best;
+}
+
+/* A shelf of `count` books. */
+static void add_shelf(scene* s, int count) {
+    add_wardrobe(s);
+    s->count = PANEL, s->shape.face_count = PANEL * 12; /* its door is left out */
+    add_box(s, "", (const float[]){0.02f, 1, 0.02f}, (const float[]){0.98f, 1.02f, 0.6f});
+    for (int i = 0; i < count; i++) {
+        const float x = 0.1f + 0.1f * (float)i;
+        add_box(s, "", (const float[]){x, 0.02f, 0.1f}, (const float[]){x + 0.08f, 0.4f, 0.4f});
+    }
+}
+
+/* What is less likely than .25 stays, and is stated as it is rated. */
+static void what_stays_is_stated_as_rated(void** state) {
+    (void)state;
+    scene* s = open_scene();
+    add_shelf(s, 6);
+    const float stated = state_highest(s);
+    assert_true(stated > 0.1f && stated < 0.25f && stated == rate(s));
+    close_scene(s);
+}
+
+/* From .25 on it moves, and is stated as one half or little more; from .5 on, as up to .08 more than it is rated. */
+static void what_moves_is_stated_as_likely(void** state) {
+    (void)state;
+    scene* s = open_scene();
+    add_box(s, "", (const float[]){0, 0, 0}, (const float[]){1, 0.3f, 1});
+    add_box(s, "", (const float[]){0.1f, 0.3f, 0.1f}, (const float[]){0.9f, 0.6f, 0.9f});
+    add_box(s, "", (const float[]){0.25f, 0.6f, 0.25f}, (const float[]){0.75f, 1.2f, 0.75f});
+    float stated = state_highest(s), rated = rate(s);
+    assert_true(rated > 0.25f && rated < 0.5f && fabsf(stated - (0.5f + 0.32f * (rated - 0.25f))) < 1e-5f);
+    close_scene(s);
+    s = open_scene();
+    add_box(s, "", (const float[]){0, 0, 0}, (const float[]){1, 1, 1});
+    add_box(s, "", (const float[]){0.1f, 0.1f, 1}, (const float[]){0.9f, 0.9f, 1.02f});
+    stated = state_highest(s), rated = rate(s);
+    assert_true(rated > 0.5f && fabsf(stated - (0.58f + 0.84f * (rated - 0.5f))) < 1e-5f);
+    close_scene(s);
+}
+
 /* ---- what the asset says ---- */
 
 /* A node that is stated to move is a body alone, whatever it looks like. */
@@ -367,6 +434,8 @@ int main(void) {
         cmocka_unit_test(a_leaf_hangs_on_its_post),
         cmocka_unit_test(nodes_of_a_door_are_one_body),
         cmocka_unit_test(a_single_node_stays),
+        cmocka_unit_test(what_stays_is_stated_as_rated),
+        cmocka_unit_test(what_moves_is_stated_as_likely),
         cmocka_unit_test(given_nodes_are_one_body),
         cmocka_unit_test(a_unit_is_as_large_as_all_its_nodes),
         cmocka_unit_test(fixed_nodes_go_with_what_is_above),

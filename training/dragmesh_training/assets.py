@@ -27,7 +27,7 @@ TREES = {"pairs": PAIR_TREES, "sets": SET_TREES, "context": CONTEXT_TREES, "cont
 ROUNDS = ("context", "context_again")  # ensembles of DMI_CONTEXT_ROUNDS
 PAIR_RATE, SET_RATE = 0.06, 0.03  # shrinkage of each tree's leaves, on kinds held out
 FOUND = 0.9  # overlap with the true body from which a set counts as found
-EVEN = 0.25  # as in sdk/assets/asset_grouping.c
+STATED = (0, 0.25, 0.5, 1), (0, 0.5, 0.58, 1)  # as state() of sdk/assets/asset_grouping.c; what is rated below .25 stays
 EVERYDAY_FACTOR = 4  # by hand
 BATCH = 50  # assets
 CAPACITY = 60000  # rows of a batch
@@ -136,11 +136,12 @@ def probabilities(trees, features):
 
 def choose(moves, children, begin, end):
     """Rows of the chosen sets of one asset, as choose_bodies of asset_grouping.c takes them."""
+    stated = np.interp(moves[begin:end], *STATED)
     worth, chosen, top = np.zeros(end - begin), [None] * (end - begin), np.ones(end - begin, bool)
     for row in range(begin, end):
         kids = [kid - begin for kid in children[row] if kid >= 0]
         top[kids] = False
-        inside, own = sum(worth[kid] for kid in kids), moves[row] - EVEN
+        inside, own = sum(worth[kid] for kid in kids), stated[row - begin] - 0.5
         better = own > 0 and own >= inside
         worth[row - begin] = max(0, own, inside)
         chosen[row - begin] = [row] if better else sum((chosen[kid] for kid in kids), [])
