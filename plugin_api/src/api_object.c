@@ -73,14 +73,12 @@ static void DM_CALL encode_part(void* data, uint32_t task) {
     encoding* work = data;
     dmi_env* env = &work->context->env;
     void* scratch = dmi_scratch_alloc(env, dmi_dq_vae_scratch_size(work->network));
-    dmi_cloud* cloud = dmi_scratch_alloc(env, sizeof *cloud);
-    if (scratch != NULL && cloud != NULL) {
-        dmi_cloud_widen(&work->slot->object->parts[task + 1], cloud);
-        dmi_dq_vae_prepare(work->network, work->context->isa, cloud, scratch, &work->slot->features[task + 1]);
+    if (scratch != NULL) {
+        dmi_dq_vae_prepare(work->network, work->context->isa, &work->slot->object->parts[task + 1].points, scratch,
+                           &work->slot->features[task + 1]);
     } else {
         work->failed = true;
     }
-    dmi_scratch_free(env, cloud);
     dmi_scratch_free(env, scratch);
 }
 

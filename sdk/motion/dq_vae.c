@@ -11,19 +11,17 @@
 #include "math/vec3.h"
 #include "motion/dq_vae_net.h"
 
-#define BLOCK_SIZE ((size_t)256 * 1024)      /* bytes of an arena block; by hand */
-#define STEP_POINTS (2 * DMI_VAE_NEIGHBOURS) /* points encoded by one matrix product */
-#define MAX_LOG_VARIANCE 4.0f                /* bounds of the latent's log variance, as trained (docs/networks.md) */
+#define BLOCK_SIZE ((size_t)256 * 1024) /* bytes of an arena block; by hand */
+#define MAX_LOG_VARIANCE 4.0f           /* bounds of the latent's log variance, as trained (docs/networks.md) */
 #define MIN_LOG_VARIANCE (-8.0f)
 
 /* Followed by the transformer's own scratch. Names are docs/networks.md's. */
 typedef struct scratch {
     _Alignas(DMI_ALIGNMENT) float tokens[DM_MOTION_FRAMES][VAE_WIDTH];
     float normal[DM_MOTION_FRAMES][VAE_WIDTH];
-    float point_inputs[STEP_POINTS][4];
-    float point_hidden[STEP_POINTS][VAE_SMALL];
-    float point_features[STEP_POINTS][VAE_FEATURE];
-    float point_maxima[DMI_VAE_POINTS / STEP_POINTS][VAE_FEATURE];
+    float point_inputs[DMI_VAE_POINTS][4];
+    float point_hidden[DMI_VAE_POINTS][VAE_SMALL];
+    float point_features[DMI_VAE_POINTS][VAE_FEATURE];
     float path[DMI_VAE_PATH][VAE_SMALL];
     float correction_hidden[DM_MOTION_FRAMES][VAE_FEATURE];
     float along[DM_MOTION_FRAMES][VAE_ALONG];
@@ -77,9 +75,9 @@ size_t dmi_dq_vae_scratch_size(const dmi_dq_vae* vae) {
            sizeof(float) * dmi_transformer_scratch(DM_MOTION_FRAMES, VAE_WIDTH, VAE_HEADS, VAE_FEED_FORWARD);
 }
 
-/* Computes features of the STEP_POINTS points in s->point_inputs. */
-static void encode_points(const dmi_dq_vae* vae, const dmi_kernels* kernels, scratch* s) {
-    dmi_mlp_apply(&vae->points, kernels, s->point_inputs[0], STEP_POINTS, DMI_GEMM_RELU, s->point_hidden[0],
+/* Computes features of the first `count` points in s->point_inputs. */
+static void encode_points(const dmi_dq_vae* vae, const dmi_kernels* kernels, uint32_t count, scratch* s) {
+    dmi_mlp_apply(&vae->points, kernels, s->point_inputs[0], count, DMI_GEMM_RELU, s->point_hidden[0],
                   s->point_features[0]);
 }
 
@@ -88,18 +86,14 @@ static void set_point(const dmi_vae_object* object, uint32_t index, float out_in
     out_input[3] = object->mask[index];
 }
 
-void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_cloud* cloud, void* scratch_memory,
+void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_part_points* points, void* scratch_memory,
                         dmi_vae_object* out_object) {
     const dmi_kernels* kernels = dmi_kernels_for(isa);
-    const uint32_t steps = DMI_VAE_POINTS / STEP_POINTS;
     scratch* s = scratch_memory;
-    dmi_vae_object_points(cloud, out_object);
-    for (uint32_t step = 0; step < steps; step++) {
-        for (uint32_t i = 0; i < STEP_POINTS; i++) set_point(out_object, step * STEP_POINTS + i, s->point_inputs[i]);
-        encode_points(vae, kernels, s);
-        kernels->max_rows(s->point_features[0], STEP_POINTS, VAE_FEATURE, s->point_maxima[step]);
-    }
-    kernels->max_rows(s->point_maxima[0], steps, VAE_FEATURE, out_object->global);
+    dmi_vae_object_points(points, out_object);
+    for (uint32_t i = 0; i < DMI_VAE_POINTS; i++) set_point(out_object, i, s->point_inputs[i]);
+    encode_points(vae, kernels, DMI_VAE_POINTS, s);
+    kernels->max_rows(s->point_features[0], DMI_VAE_POINTS, VAE_FEATURE, out_object->global);
 }
 
 /* Returns the index of a joint type in the network's tables. */
@@ -142,12 +136,12 @@ static void encode_intent(const dmi_dq_vae* vae, const dmi_kernels* kernels, boo
 /* Kinematics-aware sampling (§3.3.2): features near the joint's origin and near the drag point, and of the whole. */
 static void encode_local(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dmi_vae_object* object,
                          const dmi_vae_query* query, scratch* s) {
-    uint32_t near[STEP_POINTS];
+    uint32_t near[2 * DMI_VAE_NEIGHBOURS];
     float* f_local = s->context + F_LOCAL;
     dmi_vae_neighbours(object, dmi_xyz(query->joint.origin).v, near);
     dmi_vae_neighbours(object, query->drag_point, near + DMI_VAE_NEIGHBOURS);
-    for (uint32_t i = 0; i < STEP_POINTS; i++) set_point(object, near[i], s->point_inputs[i]);
-    encode_points(vae, kernels, s);
+    for (uint32_t i = 0; i < 2 * DMI_VAE_NEIGHBOURS; i++) set_point(object, near[i], s->point_inputs[i]);
+    encode_points(vae, kernels, 2 * DMI_VAE_NEIGHBOURS, s);
     kernels->max_rows(s->point_features[0], DMI_VAE_NEIGHBOURS, VAE_FEATURE, s->inputs);
     kernels->max_rows(s->point_features[DMI_VAE_NEIGHBOURS], DMI_VAE_NEIGHBOURS, VAE_FEATURE, s->inputs + NEAR_DRAG);
     memcpy(s->inputs + WHOLE, object->global, sizeof object->global);

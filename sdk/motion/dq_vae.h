@@ -4,11 +4,12 @@
 #define DMI_MOTION_DQ_VAE_H
 
 #include "base/cpu.h"
-#include "mesh/cloud.h"
+#include "kinematics/object/part_points.h"
 
 /* Sizes of the `game` network, docs/networks.md. */
-#define DMI_VAE_POINTS 512    /* of the cloud: every 8th (index 0, 8, 16 …), so 256 part, 128 near, 128 body */
-#define DMI_VAE_NEIGHBOURS 32 /* points near the joint origin, and near the drag point */
+#define DMI_VAE_POINTS DMI_PART_POINTS
+#define DMI_VAE_PART_POINTS (DMI_VAE_POINTS * DMI_CLOUD_PART / DMI_CLOUD_POINTS) /* the first ones */
+#define DMI_VAE_NEIGHBOURS 4 /* points near the joint origin, and near the drag point */
 #define DMI_VAE_POINT_FEATURES 64
 #define DMI_VAE_LATENT 32 /* dimensions */
 #define DMI_VAE_PATH 16   /* points of the drag path */
@@ -37,10 +38,10 @@ typedef struct dmi_vae_output {
 
 dm_result dmi_dq_vae_load(dmi_env* env, const void* data, size_t size, dmi_dq_vae** out_vae);
 void dmi_dq_vae_destroy(dmi_dq_vae* vae);
-void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_cloud* cloud, void* scratch,
+void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_part_points* points, void* scratch,
                         dmi_vae_object* out_object);
-/* The part of dmi_dq_vae_prepare that needs no weights: xyz and mask. Training thins its clouds with the same code. */
-void dmi_vae_object_points(const dmi_cloud* cloud, dmi_vae_object* out_object);
+/* The part of dmi_dq_vae_prepare that needs no weights: xyz and mask. Training calls it too. */
+void dmi_vae_object_points(const dmi_part_points* points, dmi_vae_object* out_object);
 size_t dmi_dq_vae_scratch_size(const dmi_dq_vae* vae);
 /* scratch: 64-byte aligned. No allocation. */
 void dmi_dq_vae_forward(const dmi_dq_vae* vae, dmi_isa isa, const dmi_vae_object* object, const dmi_vae_query* query,

@@ -112,12 +112,9 @@ void dmi_vae_features_make(const dmi_vae_query* query, dmi_vae_features* out_fea
     out_features->amplitude[1] = path_length(query->path);
 }
 
-void dmi_vae_object_points(const dmi_cloud* cloud, dmi_vae_object* out_object) {
-    const size_t step = DMI_CLOUD_POINTS / DMI_VAE_POINTS;
-    for (size_t i = 0; i < DMI_VAE_POINTS; i++) {
-        memcpy(out_object->xyz[i], cloud->xyz[i * step], sizeof out_object->xyz[i]);
-        out_object->mask[i] = i * step < DMI_CLOUD_PART ? 1.0f : 0.0f;
-    }
+void dmi_vae_object_points(const dmi_part_points* points, dmi_vae_object* out_object) {
+    dmi_part_points_place(points, out_object->xyz);
+    for (size_t i = 0; i < DMI_VAE_POINTS; i++) out_object->mask[i] = i < DMI_VAE_PART_POINTS ? 1.0f : 0.0f;
 }
 
 /* Returns a key that sorts by distance, then by index: the bits of non-negative floats have the order of their values.

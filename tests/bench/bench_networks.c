@@ -23,6 +23,7 @@ typedef struct state {
     dmi_kpp_input input;
     dmi_kpp_output net_output;
     dmi_cloud* cloud;
+    dmi_part_points points;
     dmi_vae_object object;
     dmi_vae_query query;
     dmi_vae_output vae_output;
@@ -47,7 +48,7 @@ static void call_motion(void* user) {
 
 static void call_motion_object(void* user) {
     state* s = user;
-    dmi_dq_vae_prepare(s->vae, s->isa, s->cloud, s->vae_scratch, &s->object);
+    dmi_dq_vae_prepare(s->vae, s->isa, &s->points, s->vae_scratch, &s->object);
 }
 
 static void call_kinematics(void* user) {
@@ -153,6 +154,7 @@ static void make_inputs(state* s) {
     memset(s->cloud, 0, sizeof *s->cloud);
     for (uint32_t i = 0; i < DMI_CLOUD_POINTS; i++)
         for (uint32_t k = 0; k < 3; k++) s->cloud->xyz[i][k] = 0.01f * (float)((i * 7919 + k * 104729) % 97) - 0.5f;
+    dmi_part_points_of_cloud(s->cloud, &s->points);
     dmi_drag_hint hint = {{0.4f, 0, 0}, {0, 0, 1}};
     dmi_kpp_input_make(s->cloud, 0, &hint, &s->input);
     s->query =
@@ -172,7 +174,7 @@ int main(int argc, char** argv) {
     dmi_env_init(&s.env, NULL, NULL, NULL);
     load_networks(argc > 1 ? argv[1] : "sdk/models", &s);
     make_inputs(&s);
-    dmi_dq_vae_prepare(s.vae, DMI_ISA_SCALAR, s.cloud, s.vae_scratch, &s.object);
+    dmi_dq_vae_prepare(s.vae, DMI_ISA_SCALAR, &s.points, s.vae_scratch, &s.object);
     show("memcpy_100k", &s, call_copy, 0);
     for (s.isa = DMI_ISA_SCALAR; s.isa <= DMI_ISA_NEON; s.isa++)
         if (dmi_kernels_usable(s.isa)) show_isa(&s);

@@ -46,25 +46,23 @@ static void compare_neighbours(const dmi_weights* golden, const char* name, cons
     for (int i = 0; i < DMI_VAE_NEIGHBOURS; ++i) assert_int_equal(found[i], (int)expected[i]);
 }
 
-/* A cloud that is thinned to the golden points. */
-static void fill_cloud(const dmi_weights* golden, dmi_cloud* cloud) {
-    static float xyz[DMI_VAE_POINTS][3];
+static void fill_points(const dmi_weights* golden, dmi_part_points* points) {
+    float xyz[DMI_VAE_POINTS][3];
     golden_copy(golden, "xyz", DMI_VAE_POINTS, 3, xyz);
-    for (uint32_t i = 0; i < DMI_CLOUD_POINTS; ++i)
-        memcpy(cloud->xyz[i], xyz[i * DMI_VAE_POINTS / DMI_CLOUD_POINTS], sizeof cloud->xyz[i]);
+    dmi_part_points_take((const float(*)[3])xyz, 1, points);
 }
 
 static void compare(const dmi_dq_vae* vae, dmi_isa isa, const char* name, const dmi_weights* golden) {
-    static dmi_cloud cloud;
     static dmi_vae_object object;
+    dmi_part_points points;
     dmi_vae_query query;
     dmi_vae_output output;
     char where[64];
     snprintf(where, sizeof where, "%s %s", name, dmi_isa_name(isa));
     void* scratch = platform_allocate(dmi_dq_vae_scratch_size(vae), 64);
-    fill_cloud(golden, &cloud);
+    fill_points(golden, &points);
     copy_query(golden, &query);
-    dmi_dq_vae_prepare(vae, isa, &cloud, scratch, &object);
+    dmi_dq_vae_prepare(vae, isa, &points, scratch, &object);
     dmi_dq_vae_forward(vae, isa, &object, &query, scratch, &output);
     compare_neighbours(golden, "near_origin", "origin", &object);
     compare_neighbours(golden, "near_drag", "drag_point", &object);

@@ -407,8 +407,8 @@ static const struct edge {
     {DMI_DMO_JOINTS, 16, {0, MINUS, ONE}, {MINUS_TINY, ONE + 1, NONE}, 3, 3, "section JNT"},
     {DMI_DMO_JOINTS, 48, {MINUS | LARGEST}, {LARGEST, INFINITE, NONE}, 0, 3, "section JNT"},
     {DMI_DMO_JOINTS, 56, {DM_JOINT_FROM_NETWORK, DM_JOINT_CHOSEN}, {-1, DM_JOINT_CHOSEN + 1}, 2, 2, "section JNT"},
-    {DMI_DMO_POINTS, 0, {MINUS_ONE, ONE}, {MINUS_ONE + 1, ONE + 1, NONE}, 2, 3, "section PNT"},
-    {DMI_DMO_POINTS, 2 * DMI_DMO_POINTS_SIZE - 4, {MINUS_ONE, ONE}, {MINUS_ONE + 1, ONE + 1}, 2, 2, "section PNT"},
+    {DMI_DMO_POINTS, 0, {0, -1}, {0}, 2, 0, ""}, /* any points */
+    {DMI_DMO_POINTS, 2 * DMI_DMO_POINTS_SIZE - 4, {MINUS, ONE}, {0}, 2, 0, ""},
     {DMI_DMO_ALTERNATIVES, 0, {0}, {DMI_ALTERNATIVES + 1, -1}, 0, 2, "section ALT"},
     {DMI_DMO_ALTERNATIVES,
      4,
@@ -486,7 +486,7 @@ static void the_table_ends_with_the_file(void** state) {
     const uint32_t size = (uint32_t)file.size, count = file.data[SECTIONS];
     const size_t entry = DMI_DMO_HEADER_SIZE + DMI_DMO_TRIANGLES * DMI_DMO_ENTRY_SIZE;
     dm_object object;
-    assert_int_equal(count, DMI_DMO_SECTIONS - 1); /* all but the closed values: no part rests open */
+    assert_int_equal(count, DMI_DMO_SECTIONS - 2); /* no old points, and no closed values: no part rests open */
     assert_bad_word(&w, &file, VERSION, 0);
     assert_bad_word(&w, &file, SIZE, size + 1);
     assert_bad_word(&w, &file, SIZE, size - 1);
@@ -607,6 +607,111 @@ static void test_the_first_version_still_loads(void** state) {
     test_world_close(&w);
 }
 
+/* A file of the first version has 512 points a part, of which those are kept that a prepared object would have. */
+static void points_of_the_first_version_are_kept(void** state) {
+    (void)state;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes old = {NULL, 0};
+    old.data = test_read_file(CORPUS, &old.size);
+    dm_object object = 0;
+    assert_int_equal(dm_object_load(w.context, old.data, old.size, 0, &object), DM_OK);
+    bytes file = save(w.context, object);
+    assert_int_equal(file.data[4], DMI_DMO_VERSION);
+    const uint8_t *from = old.data + section_at(&old, DMI_DMO_POINTS),
+                  *to = file.data + section_at(&file, DMI_DMO_POINTS);
+    for (size_t i = 0; i < (size_t)2 * DMI_PART_POINTS * 3; i++) {
+        float coordinate;
+        memcpy(&coordinate, from + (i / 3 * 8 * 3 + i % 3) * sizeof coordinate, sizeof coordinate);
+        int16_t kept;
+        memcpy(&kept, to + i * sizeof kept, sizeof kept);
+        assert_true(fabsf((float)kept * DMI_PART_POINT_UNIT - coordinate) <= DMI_PART_POINT_UNIT);
+    }
+    free(file.data);
+    free(old.data);
+    test_world_close(&w);
+}
+
+static void numbers_of_old_points_have_their_edges(void** state) {
+    (void)state;
+    const size_t last = 2 * DMI_DMO_OLD_POINTS_SIZE - 4;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes old = {NULL, 0};
+    old.data = test_read_file(CORPUS, &old.size);
+    const size_t at = section_at(&old, DMI_DMO_POINTS);
+    for (size_t i = 0; i <= last; i += last) {
+        assert_bad_word(&w, &old, at + i, ONE + 1);
+        assert_bad_word(&w, &old, at + i, (uint32_t)MINUS_ONE + 1);
+        assert_bad_word(&w, &old, at + i, NONE);
+        assert_non_null(strstr(w.messages.text, "section PNT"));
+    }
+    free(old.data);
+    test_world_close(&w);
+}
+
+/* Neither form of the points, one of them under the other's name, or one that is cut short. */
+static void points_of_a_forged_file_are_refused(void** state) {
+    (void)state;
+    const size_t tag = DMI_DMO_HEADER_SIZE + DMI_DMO_POINTS * DMI_DMO_ENTRY_SIZE, size = tag + 16;
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    bytes file = save(w.context, make_object(&w, DM_PREPARE_WITHOUT_PICKING));
+    assert_bad_word(&w, &file, tag, DMI_DMO_TAG('N', 'E', 'W', ' '));
+    assert_non_null(strstr(w.messages.text, "a section is missing"));
+    assert_bad_word(&w, &file, tag, dmi_dmo_tags[DMI_DMO_PLAIN_POINTS]);
+    assert_non_null(strstr(w.messages.text, "the number of parts"));
+    assert_bad_word(&w, &file, size, 2 * DMI_DMO_POINTS_SIZE - 2);
+    assert_bad_word(&w, &file, size, 2 * DMI_DMO_POINTS_SIZE + 2);
+    assert_bad_word(&w, &file, size, 0);
+    free(file.data);
+    test_world_close(&w);
+}
+
+/* A pull at the middle of a part, along its joint. */
+static dm_drag_hint pull_at_the_middle(dm_context* context, dm_object object, const dm_joint* joint) {
+    dm_part_info part = {.struct_size = sizeof part};
+    assert_int_equal(dm_object_get_part(context, object, 0, &part), DM_OK);
+    const dm_vec3 a = joint->axis,
+                  middle = {0.5f * (part.box_min.x + part.box_max.x), 0.5f * (part.box_min.y + part.box_max.y),
+                            0.5f * (part.box_min.z + part.box_max.z)};
+    const dm_vec3 arm = {middle.x - joint->origin.x, middle.y - joint->origin.y, middle.z - joint->origin.z};
+    return (dm_drag_hint){.point = middle,
+                          .vector = {a.y * arm.z - a.z * arm.y, a.z * arm.x - a.x * arm.z, a.x * arm.y - a.y * arm.x}};
+}
+
+/* A pull opens the first part of each, which is a door. */
+static void files_of_earlier_versions_play_their_motions(void** state) {
+    (void)state;
+    static const char* const files[] = {CORPUS, "tests/abi/corpus/cabinet_0.2.0.dmo"};
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    test_world_load_model(&w);
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        dm_motion_desc desc = {.struct_size = sizeof desc, .part_id = TEST_DOOR};
+        size_t size = 0;
+        void* data = test_read_file(files[i], &size);
+        dm_object object = 0;
+        dm_motion motion = 0;
+        dm_joint joint = {.struct_size = sizeof joint};
+        dm_pose poses[DM_MOTION_FRAMES];
+        float values[DM_MOTION_FRAMES];
+        assert_int_equal(dm_object_load(w.context, data, size, w.model, &object), DM_OK);
+        assert_int_equal(dm_object_get_joint(w.context, object, TEST_DOOR, &joint), DM_OK);
+        desc.drag = pull_at_the_middle(w.context, object, &joint);
+        assert_int_equal(dm_motion_generate(w.context, object, &desc, &motion), DM_OK);
+        assert_int_equal(dm_motion_get_frames(w.context, motion, poses, values), DM_OK);
+        assert_true(fabsf(values[0]) < 0.05f);
+        assert_true(values[DM_MOTION_FRAMES - 1] > 0.5f * joint.upper && values[DM_MOTION_FRAMES - 1] <= joint.upper);
+        free(data);
+    }
+    test_world_close(&w);
+}
+
 static int write_corpus(const char* path) {
     test_world w;
     test_world_init(&w);
@@ -644,6 +749,10 @@ int main(int argc, char** argv) {
         cmocka_unit_test(triangles_have_edges),
         cmocka_unit_test(test_load_arguments),
         cmocka_unit_test(test_the_first_version_still_loads),
+        cmocka_unit_test(points_of_the_first_version_are_kept),
+        cmocka_unit_test(numbers_of_old_points_have_their_edges),
+        cmocka_unit_test(points_of_a_forged_file_are_refused),
+        cmocka_unit_test(files_of_earlier_versions_play_their_motions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

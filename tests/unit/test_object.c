@@ -646,24 +646,6 @@ static void test_a_scene_may_be_destroyed_first(void** state) {
     test_world_close(&w);
 }
 
-/* The points kept of a cloud are those that the motion network reads. */
-static void test_kept_points_are_those_of_the_motion_network(void** state) {
-    (void)state;
-    static dmi_cloud cloud, again;
-    static dmi_vae_object from_cloud, from_points;
-    static dmi_object_part part;
-    for (int i = 0; i < DMI_CLOUD_POINTS; i++) {
-        for (int k = 0; k < 3; k++) cloud.xyz[i][k] = (float)(3 * i + k);
-    }
-    dmi_cloud_thin(&cloud, part.points);
-    dmi_cloud_widen(&part, &again);
-    dmi_vae_object_points(&cloud, &from_cloud);
-    dmi_vae_object_points(&again, &from_points);
-    assert_memory_equal(from_cloud.xyz, from_points.xyz, sizeof from_cloud.xyz);
-    assert_memory_equal(from_cloud.mask, from_points.mask, sizeof from_cloud.mask);
-    assert_memory_equal(from_cloud.xyz, part.points, sizeof part.points);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_info_is_in_host_units),
@@ -685,7 +667,6 @@ int main(void) {
         cmocka_unit_test(test_a_fixed_part_stays),
         cmocka_unit_test(test_destroying_an_object_invalidates_its_handles),
         cmocka_unit_test(test_a_scene_may_be_destroyed_first),
-        cmocka_unit_test(test_kept_points_are_those_of_the_motion_network),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -165,27 +165,54 @@ static void neighbours_are_the_nearest(void** state) {
     }
 }
 
-static void every_eighth_point_is_taken(void** state) {
+/* Of 4096 points every 64th is kept: 32 of the part, 16 near it, 16 of the body. */
+static void one_point_in_64_is_kept(void** state) {
     (void)state;
     static dmi_cloud cloud;
     static dmi_vae_object object;
+    dmi_part_points points;
     int part = 0;
-    for (int i = 0; i < DMI_CLOUD_POINTS; ++i) cloud.xyz[i][1] = (float)i;
-    dmi_vae_object_points(&cloud, &object);
+    for (int i = 0; i < DMI_CLOUD_POINTS; ++i) cloud.xyz[i][1] = (float)i / DMI_CLOUD_POINTS - 0.5f;
+    dmi_part_points_of_cloud(&cloud, &points);
+    dmi_vae_object_points(&points, &object);
     for (int i = 0; i < DMI_VAE_POINTS; ++i) {
-        assert_true(object.xyz[i][1] == 8.0f * (float)i);
-        assert_true(object.mask[i] == (8 * i < DMI_CLOUD_PART ? 1.0f : 0.0f));
+        assert_float_equal(object.xyz[i][1], (float)i / 64 - 0.5f, 0.0f);
+        assert_true(object.mask[i] == (64 * i < DMI_CLOUD_PART ? 1.0f : 0.0f));
         part += object.mask[i] > 0.5f;
     }
     assert_int_equal(part, DMI_VAE_POINTS / 2);
 }
 
+/* Half a unit is the most that a kept coordinate is off, but for 0.5 itself, which is a unit off. */
+static void points_are_kept_to_a_unit(void** state) {
+    (void)state;
+    static const float edges[][2] = {
+        {0, 0}, {-0.5f, -0.5f}, {0.5f, 0.5f - 0x1p-16f}, {1, 0.5f - 0x1p-16f}, {-1, -0.5f}};
+    enum { EDGES = sizeof edges / sizeof *edges };
+    dmi_random random = dmi_random_make(5, 0);
+    float xyz[DMI_PART_POINTS][3] = {{0}}, kept[DMI_PART_POINTS][3];
+    dmi_part_points points;
+    for (int i = 0; i < DMI_PART_POINTS; ++i)
+        for (int k = 0; k < 3; ++k) xyz[i][k] = dmi_random_unit(&random) - 0.5f;
+    for (int i = 0; i < EDGES; ++i) xyz[i][0] = edges[i][0];
+    dmi_part_points_take((const float(*)[3])xyz, 1, &points);
+    dmi_part_points_place(&points, kept);
+    for (int i = 0; i < DMI_PART_POINTS; ++i)
+        for (int k = 0; k < 3; ++k)
+            if (k != 0 || i >= EDGES) assert_float_equal(kept[i][k], xyz[i][k], 0x1p-16f);
+    for (int i = 0; i < EDGES; ++i) assert_float_equal(kept[i][0], edges[i][1], 0.0f);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(paths_on_the_joint_give_its_values),  cmocka_unit_test(residuals_are_what_the_joint_leaves),
-        cmocka_unit_test(a_drag_of_the_axis_itself_is_finite), cmocka_unit_test(the_drag_is_summed_up),
-        cmocka_unit_test(fixed_joints_leave_everything),       cmocka_unit_test(neighbours_are_the_nearest),
-        cmocka_unit_test(every_eighth_point_is_taken),
+        cmocka_unit_test(paths_on_the_joint_give_its_values),
+        cmocka_unit_test(residuals_are_what_the_joint_leaves),
+        cmocka_unit_test(a_drag_of_the_axis_itself_is_finite),
+        cmocka_unit_test(the_drag_is_summed_up),
+        cmocka_unit_test(fixed_joints_leave_everything),
+        cmocka_unit_test(neighbours_are_the_nearest),
+        cmocka_unit_test(one_point_in_64_is_kept),
+        cmocka_unit_test(points_are_kept_to_a_unit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

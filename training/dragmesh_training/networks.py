@@ -23,8 +23,8 @@ KPP_SHAPE = 56
 KPP_SNAP_DIRECTIONS = 6
 KPP_SNAP_COSINE = 0.9397  # 20 degrees
 KPP_LINE = 21  # numbers of a candidate joint, see choice.line_numbers
-VAE_POINTS = 512
-VAE_NEIGHBOURS = 32
+VAE_POINTS = 64
+VAE_NEIGHBOURS = 4
 
 
 @dataclass(frozen=True)
@@ -449,7 +449,7 @@ class DqVae(nn.Module):
 
     def forward(self, batch, sample=False):
         """batch: type B (int64), axis, origin, joint_scalars, rotation_direction, mean_velocity B x 3, chords B x 9,
-        amplitude B x 2, path B x 16 x 5, xyz B x 512 x 3, mask B x 512, near_origin, near_drag B x 32 (int64).
+        amplitude B x 2, path B x 16 x 5, xyz B x 64 x 3, mask B x 64, near_origin, near_drag B x 4 (int64).
         sample: z is drawn (training); else z = mean (run time)."""
         f_joint, embedded, mean, log_variance = self.encode(batch)
         z = mean + torch.exp(0.5 * log_variance) * torch.randn_like(mean) if sample else mean

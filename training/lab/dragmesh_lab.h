@@ -62,16 +62,16 @@ typedef struct dm_lab_kpp {
 /* A batch for the DQ-VAE: its input (docs/networks.md), the true joint values, and the closed-form answer to the path.
  */
 typedef struct dm_lab_vae {
-    float* xyz;  /* x 512 x 3 */
-    float* mask; /* x 512 */
+    float* xyz;  /* x 64 x 3 */
+    float* mask; /* x 64 */
     int32_t* type;
     int32_t* category;    /* id */
     float* axis;          /* x 3: of the joint the network is given */
     float* origin;        /* x 3 */
     float* pitch;         /* of that joint, not clamped */
     float* features;      /* x 100: dmi_vae_features in order */
-    int32_t* near_origin; /* x 32 */
-    int32_t* near_drag;   /* x 32 */
+    int32_t* near_origin; /* x 4 */
+    int32_t* near_drag;   /* x 4 */
     float* drag_point;    /* x 3 */
     float* drag_vector;   /* x 3 */
     float* limits;        /* x 2: lower, upper of the given joint */

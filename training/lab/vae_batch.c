@@ -37,6 +37,13 @@ static dm_joint roughly(dmi_random* random, dm_joint joint) {
     return joint;
 }
 
+/* As a prepared object has them. */
+static void write_points(const dmi_cloud* cloud, dmi_vae_object* out_object) {
+    dmi_part_points points;
+    dmi_part_points_of_cloud(cloud, &points);
+    dmi_vae_object_points(&points, out_object);
+}
+
 static void write_joint(const dm_joint* joint, const dm_lab_vae* out, size_t i) {
     memcpy(out->axis + 3 * i, &joint->axis, 3 * sizeof(float));
     memcpy(out->origin + 3 * i, &joint->origin, 3 * sizeof(float));
@@ -96,7 +103,7 @@ dm_result dm_lab_vae_batch(const dm_lab_options* options, const dm_lab_vae* out)
     for (uint32_t i = 0; i < options->count && result == DM_OK;) {
         result = lab_case_make(&env, options, i, made);
         if (result != DM_OK) break;
-        dmi_vae_object_points(&made->cloud, object);
+        write_points(&made->cloud, object);
         for (uint32_t k = 0; k < STROKES && i < options->count; k++, i++) {
             dm_joint joint;
             dmi_drag_hint hint = lab_case_drag(made, DM_LAB_PULL_TANGENT, options->drag_noise_degrees, &joint);
@@ -121,7 +128,7 @@ dm_result dm_lab_vae_given(const dm_lab_given* given, const dm_lab_options* opti
     dm_result result = made && object ? lab_case_given(&env, given, made) : DM_ERROR_OUT_OF_MEMORY;
     if (result == DM_OK) {
         made->random = dmi_random_make(options->seed, 0);
-        dmi_vae_object_points(&made->cloud, object);
+        write_points(&made->cloud, object);
         for (uint32_t i = 0; i < options->count; i++) {
             dm_joint joint;
             const dmi_drag_hint hint = lab_given_drag(made, given, options->drag_noise_degrees, &joint);

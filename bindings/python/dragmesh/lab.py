@@ -38,9 +38,9 @@ KPP_ARRAYS = (
     ("type", np.int32, ()), ("has_drag", np.int32, ()), ("category", np.int32, ()), ("axis", np.float32, (3,)),
     ("origin", np.float32, (3,)), ("limits", np.float32, (5,)), ("size", np.float32, ()))
 VAE_ARRAYS = (
-    ("xyz", np.float32, (512, 3)), ("mask", np.float32, (512,)), ("type", np.int32, ()),
+    ("xyz", np.float32, (64, 3)), ("mask", np.float32, (64,)), ("type", np.int32, ()),
     ("category", np.int32, ()), ("axis", np.float32, (3,)), ("origin", np.float32, (3,)), ("pitch", np.float32, ()),
-    ("features", np.float32, (100,)), ("near_origin", np.int32, (32,)), ("near_drag", np.int32, (32,)),
+    ("features", np.float32, (100,)), ("near_origin", np.int32, (4,)), ("near_drag", np.int32, (4,)),
     ("drag_point", np.float32, (3,)), ("drag_vector", np.float32, (3,)), ("limits", np.float32, (2,)),
     ("values", np.float32, (16,)), ("closed_form", np.float32, (16,)))
 # dmi_vae_features in order: name, floats.

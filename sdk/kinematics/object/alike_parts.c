@@ -201,7 +201,10 @@ void dmi_alike_part_copy(dmi_object* object, uint32_t from, uint32_t to) {
     }
     for (uint32_t i = 0; i < part->alternatives.count; i++)
         for (int k = 0; k < 3; k++) part->alternatives.list[i].origin[k] += shift[k];
-    for (uint32_t i = 0; i < DMI_OBJECT_POINTS; i++)
-        for (int k = 0; k < 3; k++) part->points[i][k] = source->points[i][k] + shift[k];
+    float points[DMI_PART_POINTS][3];
+    dmi_part_points_place(&source->points, points);
+    for (uint32_t i = 0; i < DMI_PART_POINTS; i++)
+        for (int k = 0; k < 3; k++) points[i][k] += shift[k];
+    dmi_part_points_take((const float(*)[3])points, 1, &part->points);
     part->joint = dmi_frame_joint_out(&object->frame, &part->hypotheses.joints[0]);
 }

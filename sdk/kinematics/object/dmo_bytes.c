@@ -79,6 +79,13 @@ void dmi_get_halves(dmi_dmo_reader* r, uint32_t* out, size_t count) {
     r->left -= count * sizeof(uint16_t);
 }
 
+void dmi_get_signed_halves(dmi_dmo_reader* r, int16_t* out, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        const uint16_t half = (uint16_t)dmi_get_u16(r);
+        memcpy(&out[i], &half, sizeof half);
+    }
+}
+
 void dmi_get_floats(dmi_dmo_reader* r, float* out, size_t count) {
     dmi_get_words(r, out, count);
 }
@@ -144,6 +151,10 @@ void dmi_put_words(dmi_dmo_writer* w, const void* values, size_t count) {
         memcpy(&word, (const uint8_t*)values + i * sizeof word, sizeof word);
         dmi_put_u32(w, word);
     }
+}
+
+void dmi_put_signed_halves(dmi_dmo_writer* w, const int16_t* values, size_t count) {
+    for (size_t i = 0; i < count; i++) dmi_put_u16(w, (uint16_t)values[i]);
 }
 
 void dmi_put_floats(dmi_dmo_writer* w, const float* values, size_t count) {

@@ -23,6 +23,7 @@ double dmi_get_f64(dmi_dmo_reader* r);
 void dmi_get_words(dmi_dmo_reader* r, void* out, size_t count);
 /* `count` numbers of 16 bits. */
 void dmi_get_halves(dmi_dmo_reader* r, uint32_t* out, size_t count);
+void dmi_get_signed_halves(dmi_dmo_reader* r, int16_t* out, size_t count);
 void dmi_get_floats(dmi_dmo_reader* r, float* out, size_t count);
 void dmi_get_joint(dmi_dmo_reader* r, dm_joint* out);
 
@@ -38,6 +39,7 @@ void dmi_put_u64(dmi_dmo_writer* w, uint64_t value);
 void dmi_put_f32(dmi_dmo_writer* w, float value);
 void dmi_put_f64(dmi_dmo_writer* w, double value);
 void dmi_put_words(dmi_dmo_writer* w, const void* values, size_t count);
+void dmi_put_signed_halves(dmi_dmo_writer* w, const int16_t* values, size_t count);
 void dmi_put_floats(dmi_dmo_writer* w, const float* values, size_t count);
 void dmi_put_joint(dmi_dmo_writer* w, const dm_joint* joint);
 

@@ -8,7 +8,8 @@
  *      u32 parts (with the body), u32 zero
  * PART for each part: u32 id, parent index, triangles; f32 box min[3] max[3], centre[3], area; i32 given type
  * JNT  for each part but the body: u32 n hypotheses, i32 k (the one in force, or -1), n joints, for k = -1 one more
- * PNT  for each part but the body: f32 [512][3]
+ * PT16 for each part but the body: i16 [64][3], in 1/65536 of the object's size (dmi_part_points)
+ * PNT  for each part but the body: f32 [512][3]; read are points 0, 8, 16 … (in version 1, in place of PT16)
  * ALT  for each part but the body: u32 n, n times: i32 type, f32 confidence, axis[3], origin[3]
  *      (absent in files made before there were any)
  * FRE  for each part but the body: free ranges, f32 lower, upper each: of the hypotheses, of the alternatives, of
@@ -35,16 +36,18 @@
 
 #include "kinematics/object/object.h"
 
-#define DMI_DMO_VERSION 1
-#define DMI_DMO_CHECKED_FROM 12                                 /* bytes before the checksummed part */
-#define DMI_DMO_HEADER_SIZE 24                                  /* bytes */
-#define DMI_DMO_ENTRY_SIZE 24                                   /* bytes */
-#define DMI_DMO_MAX_SECTIONS 64                                 /* that a file of any version may list; by hand */
-#define DMI_DMO_AXES 9                                          /* numbers of dmi_axes.to_canonical in HST */
-#define DMI_DMO_PART_SIZE (3 * 4 + 10 * 4 + 4)                  /* bytes of a part in PART */
-#define DMI_DMO_POINTS_SIZE (3 * (size_t)4 * DMI_OBJECT_POINTS) /* bytes of a part in PNT */
-#define DMI_DMO_VERTEX_SIZE (3 * (size_t)4)                     /* bytes of a vertex in TRI */
-#define DMI_DMO_TRIANGLE_SIZE (3 * 4 + 2)                       /* bytes of a triangle in TRI */
+#define DMI_DMO_VERSION 2                      /* since which PNT is absent, which readers of version 1 require */
+#define DMI_DMO_CHECKED_FROM 12                /* bytes before the checksummed part */
+#define DMI_DMO_HEADER_SIZE 24                 /* bytes */
+#define DMI_DMO_ENTRY_SIZE 24                  /* bytes */
+#define DMI_DMO_MAX_SECTIONS 64                /* that a file of any version may list; by hand */
+#define DMI_DMO_AXES 9                         /* numbers of dmi_axes.to_canonical in HST */
+#define DMI_DMO_PART_SIZE (3 * 4 + 10 * 4 + 4) /* bytes of a part in PART */
+#define DMI_DMO_POINTS_SIZE (3 * (size_t)2 * DMI_PART_POINTS)        /* bytes of a part in PT16 */
+#define DMI_DMO_OLD_POINTS 512                                       /* of a part in PNT */
+#define DMI_DMO_OLD_POINTS_SIZE (3 * (size_t)4 * DMI_DMO_OLD_POINTS) /* bytes of a part in PNT */
+#define DMI_DMO_VERTEX_SIZE (3 * (size_t)4)                          /* bytes of a vertex in TRI */
+#define DMI_DMO_TRIANGLE_SIZE (3 * 4 + 2)                            /* bytes of a triangle in TRI */
 #define DMI_DMO_TREE_LAYOUT 1
 #define DMI_DMO_TREE_HEAD (2 * 4) /* bytes before the parts of TREE, and of each there */
 #define DMI_DMO_NODE_NUMBERS 8    /* of a node in TREE */
@@ -64,13 +67,14 @@ enum {
     DMI_DMO_TRIANGLES,
     DMI_DMO_CLOSED,
     DMI_DMO_TREES,
+    DMI_DMO_PLAIN_POINTS, /* PNT, never written */
     DMI_DMO_SECTIONS
 };
 static const uint32_t dmi_dmo_tags[DMI_DMO_SECTIONS] = {
     DMI_DMO_TAG('O', 'B', 'J', ' '), DMI_DMO_TAG('P', 'A', 'R', 'T'), DMI_DMO_TAG('J', 'N', 'T', ' '),
-    DMI_DMO_TAG('P', 'N', 'T', ' '), DMI_DMO_TAG('A', 'L', 'T', ' '), DMI_DMO_TAG('F', 'R', 'E', ' '),
+    DMI_DMO_TAG('P', 'T', '1', '6'), DMI_DMO_TAG('A', 'L', 'T', ' '), DMI_DMO_TAG('F', 'R', 'E', ' '),
     DMI_DMO_TAG('H', 'S', 'T', ' '), DMI_DMO_TAG('L', 'E', 'S', ' '), DMI_DMO_TAG('T', 'R', 'I', ' '),
-    DMI_DMO_TAG('C', 'L', 'O', ' '), DMI_DMO_TAG('T', 'R', 'E', 'E')};
+    DMI_DMO_TAG('C', 'L', 'O', ' '), DMI_DMO_TAG('T', 'R', 'E', 'E'), DMI_DMO_TAG('P', 'N', 'T', ' ')};
 
 /* Returns the CRC-32 of IEEE 802.3, zlib and PNG. */
 uint32_t dmi_dmo_crc(const uint8_t* bytes, size_t size);

@@ -67,10 +67,16 @@ static dm_result read_table(loading* load, const uint8_t* data, size_t size) {
             load->sections[s] = (dmi_dmo_reader){data + offset, length, false};
         }
     }
-    for (int s = 0; s < DMI_DMO_ALTERNATIVES; s++) {
-        if (load->sections[s].at == NULL) return bad(load, "a section is missing");
-    }
-    return DM_OK;
+    bool complete = load->sections[DMI_DMO_POINTS].at != NULL || load->sections[DMI_DMO_PLAIN_POINTS].at != NULL;
+    for (int s = 0; s < DMI_DMO_POINTS; s++) complete = complete && load->sections[s].at != NULL;
+    return complete ? DM_OK : bad(load, "a section is missing");
+}
+
+/* Whether the section that holds the points has the size that these parts need. */
+static bool fits_points(const loading* load, uint32_t part_count) {
+    const dmi_dmo_reader *points = &load->sections[DMI_DMO_POINTS], *plain = &load->sections[DMI_DMO_PLAIN_POINTS];
+    return points->at != NULL ? points->left == (uint64_t)(part_count - 1) * DMI_DMO_POINTS_SIZE
+                              : plain->left == (uint64_t)(part_count - 1) * DMI_DMO_OLD_POINTS_SIZE;
 }
 
 static dm_result read_object(loading* load) {
@@ -89,7 +95,7 @@ static dm_result read_object(loading* load) {
      * holds. */
     if (part_count < 2 || part_count > DM_MAX_PARTS + 1 ||
         load->sections[DMI_DMO_PARTS].left != (uint64_t)part_count * DMI_DMO_PART_SIZE ||
-        load->sections[DMI_DMO_POINTS].left != (uint64_t)(part_count - 1) * DMI_DMO_POINTS_SIZE) {
+        !fits_points(load, part_count)) {
         return bad(load, "the number of parts does not fit the file");
     }
     dm_result result = dmi_object_create(load->env, part_count, &load->object);
@@ -189,11 +195,21 @@ static dm_result read_joints(loading* load) {
     return r->overrun || r->left > 0 ? bad(load, "section JNT has the wrong size") : DM_OK;
 }
 
+/* Reads the points of a part from a file of version 1, which has more of them. */
+static bool read_plain_points(dmi_dmo_reader* r, dmi_part_points* out) {
+    float points[DMI_DMO_OLD_POINTS][3];
+    dmi_get_floats(r, points[0], (size_t)DMI_DMO_OLD_POINTS * 3);
+    dmi_part_points_take((const float(*)[3])points, DMI_DMO_OLD_POINTS / DMI_PART_POINTS, out);
+    return dmi_dmo_within(points[0], (size_t)DMI_DMO_OLD_POINTS * 3, DMI_DMO_MAX_COORDINATE);
+}
+
 static dm_result read_points(loading* load) {
+    dmi_dmo_reader *points = &load->sections[DMI_DMO_POINTS], *plain = &load->sections[DMI_DMO_PLAIN_POINTS];
     for (uint32_t i = 1; i < load->object->part_count; i++) {
-        float* points = &load->object->parts[i].points[0][0];
-        dmi_get_floats(&load->sections[DMI_DMO_POINTS], points, (size_t)DMI_OBJECT_POINTS * 3);
-        if (!dmi_dmo_within(points, (size_t)DMI_OBJECT_POINTS * 3, DMI_DMO_MAX_COORDINATE))
+        dmi_part_points* out = &load->object->parts[i].points;
+        if (points->at != NULL)
+            dmi_get_signed_halves(points, out->at[0], (size_t)DMI_PART_POINTS * 3);
+        else if (!read_plain_points(plain, out))
             return bad(load, "section PNT holds impossible numbers");
     }
     return DM_OK;

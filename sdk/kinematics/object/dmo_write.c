@@ -84,7 +84,7 @@ static bool has_host_joints(const dmi_object* object) {
 static void write_points(dmi_dmo_writer* w, const saved* from) {
     const dmi_object* object = from->object;
     for (uint32_t i = 1; i < object->part_count; i++) {
-        dmi_put_floats(w, &object->parts[i].points[0][0], (size_t)DMI_OBJECT_POINTS * 3);
+        dmi_put_signed_halves(w, object->parts[i].points.at[0], (size_t)DMI_PART_POINTS * 3);
     }
 }
 
@@ -202,6 +202,7 @@ static uint32_t list_sections(const saved* from, bool out_present[DMI_DMO_SECTIO
     out_present[DMI_DMO_CLOSED] = has_closed(object);
     out_present[DMI_DMO_TRIANGLES] = object->mesh != NULL;
     out_present[DMI_DMO_TREES] = from->trees != NULL;
+    out_present[DMI_DMO_PLAIN_POINTS] = false;
     for (int i = 0; i < DMI_DMO_SECTIONS; i++) count += out_present[i];
     return count;
 }
@@ -209,7 +210,7 @@ static uint32_t list_sections(const saved* from, bool out_present[DMI_DMO_SECTIO
 static void write_all(dmi_dmo_writer* w, const saved* from) {
     static void (*const writers[DMI_DMO_SECTIONS])(dmi_dmo_writer*, const saved*) = {
         write_object,      write_parts,    write_joints,    write_points, write_alternatives, write_free_ranges,
-        write_host_joints, write_degraded, write_triangles, write_closed, write_trees};
+        write_host_joints, write_degraded, write_triangles, write_closed, write_trees,        NULL};
     bool present[DMI_DMO_SECTIONS];
     const uint32_t count = list_sections(from, present);
     dmi_dmo_writer table = {w->out, DMI_DMO_HEADER_SIZE};

@@ -139,16 +139,3 @@ dm_result dmi_object_hint(dmi_env* env, const char* what, const dmi_object* obje
     *out_hint = hint;
     return DM_OK;
 }
-
-void dmi_cloud_thin(const dmi_cloud* cloud, float out_points[DMI_OBJECT_POINTS][3]) {
-    for (uint32_t i = 0; i < DMI_OBJECT_POINTS; i++) {
-        for (int k = 0; k < 3; k++) out_points[i][k] = cloud->xyz[(size_t)i * DMI_OBJECT_STRIDE][k];
-    }
-}
-
-void dmi_cloud_widen(const dmi_object_part* part, dmi_cloud* out_cloud) {
-    memset(out_cloud, 0, sizeof *out_cloud);
-    for (uint32_t i = 0; i < DMI_CLOUD_POINTS; i++) {
-        for (int k = 0; k < 3; k++) out_cloud->xyz[i][k] = part->points[i / DMI_OBJECT_STRIDE][k];
-    }
-}

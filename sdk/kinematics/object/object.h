@@ -5,20 +5,17 @@
 #include <stdbool.h>
 
 #include "kinematics/inference/joint_inference.h"
+#include "kinematics/object/part_points.h"
 #include "pick/pick.h"
 
-/* Points of a part's cloud that are kept for the motion network (docs/networks.md). */
-#define DMI_OBJECT_POINTS 512
-#define DMI_OBJECT_STRIDE (DMI_CLOUD_POINTS / DMI_OBJECT_POINTS) /* step between the cloud's points that are kept */
-
 typedef struct dmi_object_part {
-    dmi_part shape;                     /* shape.parent: index in dmi_object.parts */
-    int32_t given_type;                 /* DM_JOINT_* given by the host; DM_JOINT_UNKNOWN: inferred */
-    dmi_asset_hints asset_hints;        /* inner frame; for dmi_object_refine too; not saved */
-    dm_joint joint;                     /* the one in use; host object frame */
-    dmi_hypotheses hypotheses;          /* inner frame */
-    dmi_alternatives alternatives;      /* inner frame */
-    float points[DMI_OBJECT_POINTS][3]; /* dmi_cloud_thin; inner frame */
+    dmi_part shape;                /* shape.parent: index in dmi_object.parts */
+    int32_t given_type;            /* DM_JOINT_* given by the host; DM_JOINT_UNKNOWN: inferred */
+    dmi_asset_hints asset_hints;   /* inner frame; for dmi_object_refine too; not saved */
+    dm_joint joint;                /* the one in use; host object frame */
+    dmi_hypotheses hypotheses;     /* inner frame */
+    dmi_alternatives alternatives; /* inner frame */
+    dmi_part_points points;
 } dmi_object_part;
 
 typedef struct dmi_object {
@@ -57,10 +54,5 @@ void dmi_object_box_out(const dmi_frame* frame, const float min[3], const float 
  * with `what` ("dm_function: field") in the message. */
 dm_result dmi_object_hint(dmi_env* env, const char* what, const dmi_object* object, uint32_t part,
                           const dm_drag_hint* drag, dmi_drag_hint* out_hint);
-
-/* Copies points 0, 8, 16, ... of a cloud, as dmi_vae_object_points takes them. */
-void dmi_cloud_thin(const dmi_cloud* cloud, float out_points[DMI_OBJECT_POINTS][3]);
-/* Makes a cloud from which dmi_cloud_thin restores the part's points. */
-void dmi_cloud_widen(const dmi_object_part* part, dmi_cloud* out_cloud);
 
 #endif

@@ -124,7 +124,7 @@ static dm_result prepare_in(dmi_arena* arena, preparation* work, uint32_t index)
     const dmi_drag_hint* hint = own->has_hint ? &own->hint : NULL;
     const dmi_progress progress = part_progress(work, index);
     dm_result result = infer_part(arena, object, index, &work->desc->models, hint, &work->shared, &progress, cloud);
-    if (result == DM_OK) dmi_cloud_thin(cloud, object->parts[index].points);
+    if (result == DM_OK) dmi_part_points_of_cloud(cloud, &object->parts[index].points);
     return result;
 }
 
