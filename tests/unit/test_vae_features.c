@@ -165,7 +165,7 @@ static void neighbours_are_the_nearest(void** state) {
     }
 }
 
-/* Of 4096 points every 64th is kept: 32 of the part, 16 near it, 16 of the body. */
+/* A cloud keeps every 64th of its 4096 points: 32 of the part, 16 near it, 16 of the body. */
 static void one_point_in_64_is_kept(void** state) {
     (void)state;
     static dmi_cloud cloud;

@@ -37,7 +37,7 @@ static dm_joint roughly(dmi_random* random, dm_joint joint) {
     return joint;
 }
 
-/* As a prepared object has them. */
+/* Writes the points that a prepared object would keep of the cloud. */
 static void write_points(const dmi_cloud* cloud, dmi_vae_object* out_object) {
     dmi_part_points points;
     dmi_part_points_of_cloud(cloud, &points);

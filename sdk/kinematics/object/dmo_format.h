@@ -36,7 +36,7 @@
 
 #include "kinematics/object/object.h"
 
-#define DMI_DMO_VERSION 2                      /* since which PNT is absent, which readers of version 1 require */
+#define DMI_DMO_VERSION 2                      /* readers of version 1 require PNT, which version 2 lacks */
 #define DMI_DMO_CHECKED_FROM 12                /* bytes before the checksummed part */
 #define DMI_DMO_HEADER_SIZE 24                 /* bytes */
 #define DMI_DMO_ENTRY_SIZE 24                  /* bytes */

@@ -4,7 +4,7 @@
 
 #include "mesh/cloud.h"
 
-#define DMI_PART_POINTS 64           /* of a cloud: half of the part, a quarter near it, a quarter of the whole body */
+#define DMI_PART_POINTS 64           /* half are of the part, a quarter near it, a quarter of the whole body */
 #define DMI_PART_POINT_UNIT 0x1p-16f /* object sizes; by hand: a surface lies within 0.5 */
 
 /* Coordinates in DMI_PART_POINT_UNIT; inner frame. A prepared object and one that is loaded have the same. */
