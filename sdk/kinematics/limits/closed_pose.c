@@ -13,6 +13,8 @@
 #define LEAST_PART 0.12f   /* object sizes: a smaller part is a button or a knob, which rests out; by hand */
 #define FARTHEST 1.0f      /* object sizes */
 #define FACING 0.8f        /* cosine between a face and the way that it looks; by hand */
+#define LOOKS_BACK (-.25f) /* and from the way to a body face that a point may face: cos(2 acos FACING) is 0.28 */
+#define ROUNDING 1e-4f     /* object sizes, of a place across the axis; by hand */
 #define BESIDE 0.025f      /* object sizes between two samples that count as one before the other; by hand */
 #define MEETS 0.04f        /* share of the looking points that must have met the body; by hand */
 #define WITHIN 0.006f      /* object sizes in which they meet it, and of one plane; by hand: a grain of the samples */
@@ -47,31 +49,74 @@ static bool looks_ahead(const closing* c, uint32_t i) {
     return dmi_dot3(c->analysis->normals[i], c->axis) * c->side > FACING;
 }
 
-/* Returns the least way of a point of the part to the body; FLT_MAX: it meets nothing. */
-static float way_of_point(const closing* c, uint32_t i, float least) {
-    const dmi_part_analysis* a = c->analysis;
-    float nearest = FLT_MAX;
-    for (uint32_t k = 0; k < a->near_count && k < SAMPLES; k++) {
-        const float way = way_between(c, a->points[i], a->normals[i], a->near_points[k], a->near_normals[k]);
-        if (way > least && way < nearest) nearest = way;
+/* Points of the part that look the way it goes, by rising place across it, and how far each is from the body. */
+typedef struct looking_points {
+    float across_axis[3]; /* a direction perpendicular to the axis */
+    uint32_t index[POINTS], count;
+    float place[POINTS], way[POINTS]; /* FLT_MAX: it meets nothing */
+} looking_points;
+
+static void add_looking(const closing* c, uint32_t index, looking_points* to) {
+    const float place = dmi_dot3(c->analysis->points[index], to->across_axis);
+    uint32_t at = to->count++;
+    for (; at > 0 && to->place[at - 1] > place; at--) {
+        to->place[at] = to->place[at - 1];
+        to->index[at] = to->index[at - 1];
     }
-    return nearest;
+    to->place[at] = place;
+    to->index[at] = index;
+}
+
+static void find_looking(const closing* c, looking_points* out) {
+    out->count = 0;
+    float other[3];
+    dmi_perpendicular3(c->axis, out->across_axis, other);
+    for (uint32_t i = 0; i < DMI_ANALYSIS_POINTS && out->count < POINTS; i++)
+        if (looks_ahead(c, i)) add_looking(c, i, out);
+    for (uint32_t i = 0; i < out->count; i++) out->way[i] = FLT_MAX;
+}
+
+/* Returns the first point that is not farther back across the axis than `place`. */
+static uint32_t first_from(const looking_points* points, float place) {
+    uint32_t low = 0, high = points->count;
+    while (low < high) {
+        const uint32_t middle = (low + high) / 2;
+        if (points->place[middle] < place)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Shortens the ways of the points that a sample of the body lies before. */
+static void meet_sample(const closing* c, uint32_t sample, looking_points* points) {
+    const dmi_part_analysis* a = c->analysis;
+    const float *at = a->near_points[sample], *normal = a->near_normals[sample];
+    const float place = dmi_dot3(at, points->across_axis), reach = BESIDE + ROUNDING;
+    for (uint32_t p = first_from(points, place - reach); p < points->count && points->place[p] <= place + reach; p++) {
+        const uint32_t i = points->index[p];
+        const float way = way_between(c, a->points[i], a->normals[i], at, normal);
+        if (way > -WITHIN && way < points->way[p]) points->way[p] = way;
+    }
 }
 
 /* Returns the way after which enough points meet the body at once; FLT_MAX: they never do. */
 static float find_contact(const closing* c) {
+    const dmi_part_analysis* a = c->analysis;
+    looking_points points;
     float ways[POINTS];
-    uint32_t count = 0, looking = 0;
-    for (uint32_t i = 0; i < DMI_ANALYSIS_POINTS && looking < POINTS; i++) {
-        if (!looks_ahead(c, i)) continue;
-        looking++;
-        const float way = way_of_point(c, i, -WITHIN);
-        if (way > FARTHEST) continue;
+    uint32_t count = 0;
+    find_looking(c, &points);
+    for (uint32_t k = 0; k < a->near_count && k < SAMPLES; k++)
+        if (dmi_dot3(a->near_normals[k], c->axis) * c->side < LOOKS_BACK) meet_sample(c, k, &points);
+    for (uint32_t p = 0; p < points.count; p++) {
+        if (points.way[p] > FARTHEST) continue;
         uint32_t at = count++;
-        for (; at > 0 && ways[at - 1] > way; at--) ways[at] = ways[at - 1];
-        ways[at] = way;
+        for (; at > 0 && ways[at - 1] > points.way[p]; at--) ways[at] = ways[at - 1];
+        ways[at] = points.way[p];
     }
-    const uint32_t needed = (uint32_t)(MEETS * (float)looking) + 2;
+    const uint32_t needed = (uint32_t)(MEETS * (float)points.count) + 2;
     for (uint32_t i = 0; i + needed <= count; i++)
         if (ways[i + needed - 1] - ways[i] <= WITHIN) return ways[i + needed / 2];
     return FLT_MAX;
