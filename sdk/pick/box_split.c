@@ -84,27 +84,49 @@ static binning make_binning(const dmi_box* centres, uint32_t count, dmi_box_spli
     return b;
 }
 
-static void find_bins(const binning* b, const dmi_box_item* item, float out[4]) {
-    const dmi_lanes centre = dmi_lanes_add(item_low(item), item_high(item));
+static void find_bins(const binning* b, dmi_lanes centre, float out[4]) {
     dmi_lanes_store(out, dmi_lanes_mul(dmi_lanes_sub(centre, dmi_lanes_load(b->low)), dmi_lanes_load(b->scale)));
 }
 
-static void fill_bins(const dmi_box_item* items, uint32_t count, const binning* b, bins* out) {
+static void clear_bins(const binning* b, bins* out) {
     for (int axis = b->first; axis <= b->last; axis++)
         for (int i = 0; i < b->bins; i++) {
             clear(&out->box[axis][i]);
             out->count[axis][i] = 0;
         }
-    for (uint32_t i = 0; i < count; i++) {
-        const dmi_lanes low = item_low(&items[i]), high = item_high(&items[i]);
-        float bin[4];
-        find_bins(b, &items[i], bin);
-        for (int axis = b->first; axis <= b->last; axis++) {
-            const int k = (int)bin[axis];
-            grow(&out->box[axis][k], low, high);
-            out->count[axis][k]++;
-        }
+}
+
+static inline void put_into_bins(const dmi_box_item* item, const binning* b, bins* out) {
+    const dmi_lanes low = item_low(item), high = item_high(item);
+    float bin[4];
+    find_bins(b, dmi_lanes_add(low, high), bin);
+    for (int axis = b->first; axis <= b->last; axis++) {
+        const int k = (int)bin[axis];
+        grow(&out->box[axis][k], low, high);
+        out->count[axis][k]++;
     }
+}
+
+/* Neighbours in the array mostly fall into the same bins, and each would wait for the one before it: of many items,
+ * every second one goes into bins of its own. */
+static void fill_bins(const dmi_box_item* items, uint32_t count, const binning* b, bins* out) {
+    bins others;
+    uint32_t i = 0;
+    clear_bins(b, out);
+    if (count >= MANY) {
+        clear_bins(b, &others);
+        for (; i + 2 <= count; i += 2) {
+            put_into_bins(&items[i], b, out);
+            put_into_bins(&items[i + 1], b, &others);
+        }
+        for (int axis = b->first; axis <= b->last; axis++)
+            for (int k = 0; k < b->bins; k++) {
+                const dmi_box* more = &others.box[axis][k];
+                grow(&out->box[axis][k], dmi_lanes_load(more->low), dmi_lanes_load(more->high));
+                out->count[axis][k] += others.count[axis][k];
+            }
+    }
+    for (; i < count; i++) put_into_bins(&items[i], b, out);
 }
 
 static float group_cost(const dmi_box* box, uint32_t count, uint32_t block) {
@@ -143,27 +165,39 @@ static void halves(const dmi_box_item* items, const dmi_box_range* range, dmi_bo
     dmi_box_range_measure(items, &out[1]);
 }
 
-static void part(dmi_box_item* items, const dmi_box_range* range, const binning* b, const split* s,
+/* The box of the items in some bins of an axis. */
+static void unite_bins(const bins* b, int axis, int first, int end, dmi_box* out) {
+    clear(out);
+    for (int i = first; i < end; i++)
+        grow(out, dmi_lanes_load(b->box[axis][i].low), dmi_lanes_load(b->box[axis][i].high));
+}
+
+/* Sorts the items by their bins, whose boxes make those of the groups. */
+static void part(dmi_box_item* items, const dmi_box_range* range, const binning* b, const bins* filled, const split* s,
                  dmi_box_range out[2]) {
-    uint32_t low = range->first, high = range->first + range->count;
-    dmi_box_range groups[2];
-    start(&groups[0], low);
-    start(&groups[1], low);
+    const uint32_t first = range->first, end = first + range->count;
+    uint32_t low = first, high = end;
+    dmi_box centres[2];
+    clear(&centres[0]);
+    clear(&centres[1]);
     while (low < high) {
         float bin[4];
-        find_bins(b, &items[low], bin);
+        const dmi_lanes centre = dmi_lanes_add(item_low(&items[low]), item_high(&items[low]));
+        find_bins(b, centre, bin);
         if ((int)bin[s->axis] < s->bin) {
-            add(&groups[0], &items[low++]);
+            grow(&centres[0], centre, centre);
+            low++;
         } else {
-            add(&groups[1], &items[low]);
+            grow(&centres[1], centre, centre);
             const dmi_box_item item = items[low];
             items[low] = items[--high];
             items[high] = item;
         }
     }
-    groups[1].first = low;
-    out[0] = groups[0];
-    out[1] = groups[1];
+    out[0] = (dmi_box_range){.centres = centres[0], .first = first, .count = low - first};
+    out[1] = (dmi_box_range){.centres = centres[1], .first = low, .count = end - low};
+    unite_bins(filled, s->axis, 0, s->bin, &out[0].box);
+    unite_bins(filled, s->axis, s->bin, b->bins, &out[1].box);
 }
 
 /* Tells of a large range that one more pass is done. Returns whether to go on. */
@@ -176,8 +210,8 @@ static bool split_range(dmi_box_item* items, const dmi_box_range* range, uint32_
                         const dmi_progress* progress, dmi_box_range out[2]) {
     const binning b = make_binning(&range->centres, range->count, how);
     split best = {INFINITY, 0, 0};
+    bins filled;
     if (how != DMI_SPLIT_IN_HALVES) {
-        bins filled;
         fill_bins(items + range->first, range->count, &b, &filled);
         for (int axis = b.first; axis <= b.last; axis++) {
             if (b.scale[axis] > 0) sweep(&filled, b.bins, axis, block, &best);
@@ -185,7 +219,7 @@ static bool split_range(dmi_box_item* items, const dmi_box_range* range, uint32_
     }
     if (!tell(range, progress)) return false;
     if (best.cost < INFINITY)
-        part(items, range, &b, &best, out);
+        part(items, range, &b, &filled, &best, out);
     else
         halves(items, range, out);
     return tell(range, progress);
