@@ -10,7 +10,6 @@
 #include "api_object.h"
 #include "api_scene.h"
 #include "base/fp_environment.h"
-#include "base/kept.h"
 #include "math/vec3.h"
 
 /* ---- the descriptors of dm_object_prepare ---- */
@@ -66,20 +65,12 @@ typedef struct encoding {
     dm_context* context;
     dmi_object_slot* slot;
     const dmi_dq_vae* network;
-    _Atomic bool failed;
 } encoding;
 
 static void DM_CALL encode_part(void* data, uint32_t task) {
-    encoding* work = data;
-    dmi_env* env = &work->context->env;
-    void* scratch = dmi_scratch_alloc(env, dmi_dq_vae_scratch_size(work->network));
-    if (scratch != NULL) {
-        dmi_dq_vae_prepare(work->network, work->context->isa, &work->slot->object->parts[task + 1].points, scratch,
-                           &work->slot->features[task + 1]);
-    } else {
-        work->failed = true;
-    }
-    dmi_scratch_free(env, scratch);
+    const encoding* work = data;
+    dmi_dq_vae_prepare(work->network, work->context->isa, &work->slot->object->parts[task + 1].points,
+                       &work->slot->features[task + 1]);
 }
 
 static dm_result encode(dm_context* context, const char* function, dmi_object_slot* slot, const dmi_model_slot* model) {
@@ -88,11 +79,9 @@ static dm_result encode(dm_context* context, const char* function, dmi_object_sl
     uint32_t count = slot->object->part_count;
     encoding work = {.context = context, .slot = slot, .network = model->motion};
     slot->features = dmi_alloc(env, count * sizeof *slot->features, _Alignof(dmi_vae_object));
-    if (slot->features != NULL) {
-        const dm_result result = dmi_parallel_for(env, count - 1, encode_part, &work);
-        if (result != DM_OK || !work.failed) return result;
-    }
-    return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "%s: no memory for the motion network's features", function);
+    if (slot->features == NULL)
+        return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "%s: no memory for the motion network's features", function);
+    return dmi_parallel_for(env, count - 1, encode_part, &work);
 }
 
 /* ---- prepare and destroy ---- */

@@ -12,16 +12,22 @@
 #include "motion/dq_vae_net.h"
 
 #define BLOCK_SIZE ((size_t)256 * 1024) /* bytes of an arena block; by hand */
+#define POINT_BATCH 16                  /* rows; by hand: a batch and its maxima fit the stack and the L1 cache */
 #define MAX_LOG_VARIANCE 4.0f           /* bounds of the latent's log variance, as trained (docs/networks.md) */
 #define MIN_LOG_VARIANCE (-8.0f)
+
+/* Points that one matrix product encodes. */
+typedef struct point_batch {
+    _Alignas(DMI_ALIGNMENT) float inputs[POINT_BATCH][4];
+    float hidden[POINT_BATCH][VAE_SMALL];
+    float features[POINT_BATCH][VAE_FEATURE];
+} point_batch;
 
 /* Followed by the transformer's own scratch. Names are docs/networks.md's. */
 typedef struct scratch {
     _Alignas(DMI_ALIGNMENT) float tokens[DM_MOTION_FRAMES][VAE_WIDTH];
     float normal[DM_MOTION_FRAMES][VAE_WIDTH];
-    float point_inputs[DMI_VAE_POINTS][4];
-    float point_hidden[DMI_VAE_POINTS][VAE_SMALL];
-    float point_features[DMI_VAE_POINTS][VAE_FEATURE];
+    point_batch points;
     float path[DMI_VAE_PATH][VAE_SMALL];
     float correction_hidden[DM_MOTION_FRAMES][VAE_FEATURE];
     float along[DM_MOTION_FRAMES][VAE_ALONG];
@@ -75,10 +81,9 @@ size_t dmi_dq_vae_scratch_size(const dmi_dq_vae* vae) {
            sizeof(float) * dmi_transformer_scratch(DM_MOTION_FRAMES, VAE_WIDTH, VAE_HEADS, VAE_FEED_FORWARD);
 }
 
-/* Computes features of the first `count` points in s->point_inputs. */
-static void encode_points(const dmi_dq_vae* vae, const dmi_kernels* kernels, uint32_t count, scratch* s) {
-    dmi_mlp_apply(&vae->points, kernels, s->point_inputs[0], count, DMI_GEMM_RELU, s->point_hidden[0],
-                  s->point_features[0]);
+/* Computes the features of the first `count` points of a batch. */
+static void encode_points(const dmi_dq_vae* vae, const dmi_kernels* kernels, uint32_t count, point_batch* batch) {
+    dmi_mlp_apply(&vae->points, kernels, batch->inputs[0], count, DMI_GEMM_RELU, batch->hidden[0], batch->features[0]);
 }
 
 static void set_point(const dmi_vae_object* object, uint32_t index, float out_input[4]) {
@@ -86,14 +91,18 @@ static void set_point(const dmi_vae_object* object, uint32_t index, float out_in
     out_input[3] = object->mask[index];
 }
 
-void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_part_points* points, void* scratch_memory,
-                        dmi_vae_object* out_object) {
+void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_part_points* points, dmi_vae_object* out_object) {
+    enum { BATCHES = DMI_VAE_POINTS / POINT_BATCH };
     const dmi_kernels* kernels = dmi_kernels_for(isa);
-    scratch* s = scratch_memory;
+    point_batch batch;
+    float maxima[BATCHES][VAE_FEATURE];
     dmi_vae_object_points(points, out_object);
-    for (uint32_t i = 0; i < DMI_VAE_POINTS; i++) set_point(out_object, i, s->point_inputs[i]);
-    encode_points(vae, kernels, DMI_VAE_POINTS, s);
-    kernels->max_rows(s->point_features[0], DMI_VAE_POINTS, VAE_FEATURE, out_object->global);
+    for (uint32_t b = 0; b < BATCHES; b++) {
+        for (uint32_t i = 0; i < POINT_BATCH; i++) set_point(out_object, b * POINT_BATCH + i, batch.inputs[i]);
+        encode_points(vae, kernels, POINT_BATCH, &batch);
+        kernels->max_rows(batch.features[0], POINT_BATCH, VAE_FEATURE, maxima[b]);
+    }
+    kernels->max_rows(maxima[0], BATCHES, VAE_FEATURE, out_object->global);
 }
 
 /* Returns the index of a joint type in the network's tables. */
@@ -140,10 +149,10 @@ static void encode_local(const dmi_dq_vae* vae, const dmi_kernels* kernels, cons
     float* f_local = s->context + F_LOCAL;
     dmi_vae_neighbours(object, dmi_xyz(query->joint.origin).v, near);
     dmi_vae_neighbours(object, query->drag_point, near + DMI_VAE_NEIGHBOURS);
-    for (uint32_t i = 0; i < 2 * DMI_VAE_NEIGHBOURS; i++) set_point(object, near[i], s->point_inputs[i]);
-    encode_points(vae, kernels, 2 * DMI_VAE_NEIGHBOURS, s);
-    kernels->max_rows(s->point_features[0], DMI_VAE_NEIGHBOURS, VAE_FEATURE, s->inputs);
-    kernels->max_rows(s->point_features[DMI_VAE_NEIGHBOURS], DMI_VAE_NEIGHBOURS, VAE_FEATURE, s->inputs + NEAR_DRAG);
+    for (uint32_t i = 0; i < 2 * DMI_VAE_NEIGHBOURS; i++) set_point(object, near[i], s->points.inputs[i]);
+    encode_points(vae, kernels, 2 * DMI_VAE_NEIGHBOURS, &s->points);
+    kernels->max_rows(s->points.features[0], DMI_VAE_NEIGHBOURS, VAE_FEATURE, s->inputs);
+    kernels->max_rows(s->points.features[DMI_VAE_NEIGHBOURS], DMI_VAE_NEIGHBOURS, VAE_FEATURE, s->inputs + NEAR_DRAG);
     memcpy(s->inputs + WHOLE, object->global, sizeof object->global);
     dmi_mlp_apply(&vae->local, kernels, s->inputs, 1, 0, s->hidden, f_local);
     kernels->modulate(f_local, 1, VAE_FEATURE, s->films.local_scale, s->films.local_shift);

@@ -38,8 +38,7 @@ typedef struct dmi_vae_output {
 
 dm_result dmi_dq_vae_load(dmi_env* env, const void* data, size_t size, dmi_dq_vae** out_vae);
 void dmi_dq_vae_destroy(dmi_dq_vae* vae);
-void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_part_points* points, void* scratch,
-                        dmi_vae_object* out_object);
+void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_part_points* points, dmi_vae_object* out_object);
 /* The part of dmi_dq_vae_prepare that needs no weights: xyz and mask. Training calls it too. */
 void dmi_vae_object_points(const dmi_part_points* points, dmi_vae_object* out_object);
 size_t dmi_dq_vae_scratch_size(const dmi_dq_vae* vae);

@@ -48,7 +48,7 @@ static void call_motion(void* user) {
 
 static void call_motion_object(void* user) {
     state* s = user;
-    dmi_dq_vae_prepare(s->vae, s->isa, &s->points, s->vae_scratch, &s->object);
+    dmi_dq_vae_prepare(s->vae, s->isa, &s->points, &s->object);
 }
 
 static void call_kinematics(void* user) {
@@ -174,7 +174,7 @@ int main(int argc, char** argv) {
     dmi_env_init(&s.env, NULL, NULL, NULL);
     load_networks(argc > 1 ? argv[1] : "sdk/models", &s);
     make_inputs(&s);
-    dmi_dq_vae_prepare(s.vae, DMI_ISA_SCALAR, &s.points, s.vae_scratch, &s.object);
+    dmi_dq_vae_prepare(s.vae, DMI_ISA_SCALAR, &s.points, &s.object);
     show("memcpy_100k", &s, call_copy, 0);
     for (s.isa = DMI_ISA_SCALAR; s.isa <= DMI_ISA_NEON; s.isa++)
         if (dmi_kernels_usable(s.isa)) show_isa(&s);

@@ -62,7 +62,7 @@ static void compare(const dmi_dq_vae* vae, dmi_isa isa, const char* name, const 
     void* scratch = platform_allocate(dmi_dq_vae_scratch_size(vae), 64);
     fill_points(golden, &points);
     copy_query(golden, &query);
-    dmi_dq_vae_prepare(vae, isa, &points, scratch, &object);
+    dmi_dq_vae_prepare(vae, isa, &points, &object);
     dmi_dq_vae_forward(vae, isa, &object, &query, scratch, &output);
     compare_neighbours(golden, "near_origin", "origin", &object);
     compare_neighbours(golden, "near_drag", "drag_point", &object);
