@@ -1,5 +1,6 @@
 /* How cost and memory grow with triangles, parts and live drags, and how preparing scales over workers:
  * bench_growth triangles|parts|drags|jobs [most [models]]. One JSON object a line. */
+#include <math.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -13,6 +14,10 @@
 #define PARTS_TRIANGLES 100000
 #define DRAG_TRIANGLES 1000
 #define JOB_OBJECTS 16
+#define LOAD_TRIANGLES 5400 /* of an object that is loaded */
+#define LOADS 400           /* a round */
+#define BARE_LOADS 20000    /* a round, of objects without triangles */
+#define LOAD_ROUNDS 5
 #define JOB_TRIANGLES 20000
 #define CHECK(call) bench_check(call, #call)
 
@@ -272,6 +277,55 @@ static void grow_jobs(const char* models, uint32_t most) {
     }
 }
 
+/* ---- loading side by side ---- */
+
+typedef struct load_effort {
+    bench_world world;
+    uint8_t* saved; /* .dmo */
+    size_t size;
+} load_effort;
+
+static void DM_CALL load_task(void* data, uint32_t index) {
+    const load_effort* e = data;
+    (void)index;
+    dm_object object;
+    CHECK(dm_object_load(e->world.context, e->saved, e->size, e->world.model, &object));
+    CHECK(dm_object_destroy(e->world.context, object));
+}
+
+static void save_one(load_effort* e, const bench_mesh* mesh, uint32_t flags) {
+    const dm_object object = bench_world_prepare(&e->world, mesh, flags);
+    e->size = saved_size(&e->world, object);
+    e->saved = bench_alloc(e->size);
+    CHECK(dm_object_save(e->world.context, object, e->saved, e->size, &e->size));
+    CHECK(dm_object_destroy(e->world.context, object));
+}
+
+/* The host's workers load and destroy an object each, over and over; the least time by the wall of some rounds. */
+static void grow_loads(const char* models, uint32_t most, uint32_t flags, uint32_t count) {
+    load_effort e;
+    bench_mesh mesh = bench_mesh_new(LOAD_TRIANGLES, 1);
+    bench_world_open(&e.world, models, NULL);
+    save_one(&e, &mesh, flags);
+    double alone = 0;
+    for (uint32_t workers = 1; workers <= most; workers *= 2) {
+        team t = {workers};
+        double least = INFINITY;
+        for (int i = 0; i < LOAD_ROUNDS; i++) {
+            const double start = read_clock(CLOCK_MONOTONIC);
+            run_team(&t, count, load_task, &e);
+            least = fmin(least, read_clock(CLOCK_MONOTONIC) - start);
+        }
+        if (workers == 1) alone = least;
+        printf("{\"tasks\": \"%s\", \"workers\": %u, \"load_us\": %.2f, \"speedup\": %.2f}\n",
+               flags ? "bare loads" : "loads", workers, least * 1e-3 / count, alone / least);
+        fflush(stdout);
+    }
+    free(e.saved);
+    bench_world_close(&e.world);
+    bench_mesh_free(&mesh);
+}
+
 int main(int argc, char** argv) {
     const char* what = argc > 1 ? argv[1] : "";
     const uint32_t most = argc > 2 ? (uint32_t)strtoul(argv[2], NULL, 10) : 0;
@@ -279,6 +333,8 @@ int main(int argc, char** argv) {
     bench_world world;
     if (strcmp(what, "jobs") == 0) {
         grow_jobs(models, most ? most : 2);
+        grow_loads(models, most ? most : 2, 0, LOADS);
+        grow_loads(models, most ? most : 2, DM_PREPARE_WITHOUT_PICKING, BARE_LOADS);
         return 0;
     }
     bench_world_open(&world, models, NULL);
