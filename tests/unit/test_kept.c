@@ -6,7 +6,7 @@
 #include "test_env.h"
 #include "test_world.h"
 
-enum { KB = 1024, THREADS = 4, ROUNDS = 12, LIVES = 200, LEAST_SAVED = 10 };
+enum { KB = 1024, THREADS = 4, ROUNDS = 12, LIVES = 200, LEAST_SAVED = 8 };
 
 static void open_keeping(test_env* t, size_t most) {
     test_env_open(t, TEST_NEVER);
