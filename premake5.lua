@@ -146,34 +146,54 @@ end
 
 -- Rooms ------------------------------------------------------------------------------------------------------------
 
--- The rooms of sdk, lowest first: { folder, rooms that it may include }. docs/ARCHITECTURE.md explains the order.
-local analysis = { "base", "math", "mesh", "kinematics/analysis" }
-local kpp = { "base", "math", "mesh", "nn", "kinematics/kpp" }
-local candidates = { "base", "math", "mesh", "nn", "kinematics/analysis", "kinematics/kpp", "kinematics/candidates" }
-local features = table.join(candidates, { "kinematics/features" })
-local inference = table.join(features, { "kinematics/hints", "kinematics/ranking", "kinematics/limits", "kinematics/inference" })
+-- The rooms of sdk, lowest first: { folder, rooms whose headers its files name }. docs/ARCHITECTURE.md explains the order;
+-- tests/rooms.sh compares the rows with the includes, both ways.
 local rooms = {
-    { "base", { "base" } },
-    { "math", { "base", "math" } },
-    { "mesh", { "base", "math", "mesh" } },
-    { "pick", { "base", "math", "mesh", "pick" } },
-    { "nn", { "base", "nn" } },
-    { "segmentation", { "base", "math", "mesh", "nn", "segmentation" } },
-    { "kinematics/analysis", analysis },
-    { "kinematics/kpp", kpp },
-    { "kinematics/candidates", candidates },
-    { "kinematics/hints", table.join(candidates, { "kinematics/hints" }) },
-    { "kinematics/features", features },
-    { "kinematics/ranking", table.join(features, { "kinematics/ranking" }) },
-    { "kinematics/limits", table.join(features, { "kinematics/limits" }) },
-    { "kinematics/inference", inference },
-    { "kinematics/object", table.join(inference, { "pick", "kinematics/object" }) },
-    { "motion", table.join(inference, { "pick", "kinematics/object", "motion" }) },
-    { "assets", table.join(inference, { "pick", "kinematics/object", "assets" }) },
+    { "base", {} },
+    { "math", { "base" } },
+    { "mesh", { "base", "math" } },
+    { "pick", { "base", "math", "mesh" } },
+    { "nn", { "base" } },
+    { "segmentation", { "base", "math", "mesh", "nn" } },
+    { "kinematics/analysis", { "base", "math", "mesh" } },
+    { "kinematics/kpp", { "base", "math", "mesh", "nn" } },
+    { "kinematics/candidates", { "math", "kinematics/analysis", "kinematics/kpp" } },
+    { "kinematics/hints", { "math", "kinematics/candidates" } },
+    { "kinematics/features", { "math", "nn", "kinematics/analysis", "kinematics/candidates" } },
+    { "kinematics/ranking", { "base", "math", "nn", "kinematics/candidates", "kinematics/features" } },
+    { "kinematics/limits", { "base", "math", "nn", "kinematics/analysis", "kinematics/candidates", "kinematics/features" } },
+    { "kinematics/inference", { "math", "kinematics/kpp", "kinematics/candidates", "kinematics/hints", "kinematics/features",
+        "kinematics/ranking", "kinematics/limits" } },
+    { "kinematics/object", { "base", "math", "mesh", "pick", "kinematics/analysis", "kinematics/inference" } },
+    { "motion", { "base", "math", "mesh", "nn" } },
+    { "assets", { "base", "math", "mesh", "nn", "kinematics/hints", "kinematics/object" } },
 }
 
--- Makes build/include/NAME, which holds a link to each folder of `from` that a room may include, and returns it. A
--- header of any other room is then not found.
+-- The rooms of dragmesh_gltf, in the same form. Both lie below mesh.
+local gltf_rooms = {
+    { "mesh/gltf", { "base", "math", "mesh" } },
+    { "mesh/export", { "base", "math", "mesh", "mesh/gltf" } },
+}
+
+-- Returns the room's folder and every room that its headers lead to: what the compiler has to find.
+local function reached(room)
+    local folders, known = {}, {}
+    local function add(name)
+        if known[name] then return end
+        known[name] = true
+        table.insert(folders, name)
+        for _, row in ipairs(rooms) do
+            if row[1] == name then
+                for _, other in ipairs(row[2]) do add(other) end
+            end
+        end
+    end
+    add(room)
+    return folders
+end
+
+-- Makes build/include/NAME, which holds a link to each of the folders `allowed` of `from`, and returns it. A header of any
+-- other room is then not found.
 local function include_folder(name, from, allowed)
     local folder = "build/include/" .. name
     os.execute("rm -rf " .. folder)
@@ -222,7 +242,7 @@ for _, room in ipairs(rooms) do
     local name = "dragmesh_" .. room[1]:gsub("/", "_")
     table.insert(room_libraries, 1, name)
     local sources = table.join({ "sdk/" .. room[1] .. "/*.c" }, made[room[1]] or {})
-    library(name, sources, { api, include_folder(name, "sdk", room[2]) })
+    library(name, sources, { api, include_folder(name, "sdk", reached(room[1])) })
     -- Recorded operands of comparisons find a file's magic numbers; in geometry they are half of the time.
     if room[1]:find "kinematics/" and room[1] ~= "kinematics/object" or room[1] == "segmentation" then
         filter "configurations:fuzz"
@@ -290,7 +310,7 @@ local gltf_macros = has_draco and {} or { "DMI_NO_DRACO" }
 local has_gltf = cross ~= "linux-arm32"
 if has_gltf then
     shared("dragmesh_gltf", { "sdk/mesh/gltf/*.c", "sdk/mesh/gltf/*.cpp", "sdk/mesh/export/*.c" },
-        { api, include_folder("dragmesh_gltf", "sdk", { "base", "math", "mesh" }) },
+        { api, include_folder("dragmesh_gltf", "sdk", gltf_rooms[1][2]) },
         { "meshoptimizer", "dragmesh_core", "m" }, "plugin_api/dragmesh_gltf.map")
         language "C++"
         defines(gltf_macros)

@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
 # tests/rooms.sh — checks that the build keeps the rooms of sdk apart: a header of a room that a file may not use is not
-# found. Takes the include paths from the makefiles that scripts/build has made (build/make); takes a few seconds.
+# found. It reads the include paths in the makefiles and the symbols in the objects that scripts/build has made (build/make,
+# build/obj), and takes a few seconds.
 #
 # 1. A copy of one file of a room compiles; the same copy with an include of a forbidden header does not.
 # 2. No two rooms can include from each other, and no room from plugin_api/src, samples, training or tests.
 # 3. No file of sdk has "../" in an include, which would go round the include paths.
+# 4. Each room includes from the rooms in its row of premake5.lua, and from every one of them.
+# 5. No header includes itself by way of others.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD work=$(mktemp -d)
@@ -12,7 +15,9 @@ trap 'rm -rf "$work"' EXIT
 problems=0
 problem() { echo "rooms: $*" >&2; problems=$((problems + 1)); }
 
-rooms=$(sed -n '/^local rooms = {/,/^}/s/^ *{ "\([a-z/]*\)".*/\1/p' premake5.lua)
+# The rows of a table of premake5.lua, a room and those that it may include a line.
+rows() { sed -n "/^local $1 = {/,/^}/p" premake5.lua | tr '\n' ' ' | grep -oE '\{ "[a-z/]+", \{[^}]*\} \}' | tr -d '{},"'; }
+rooms=$(rows rooms | awk '{ print $1 }')
 [ "$(wc -w <<< "$rooms")" -ge 15 ] || { echo "rooms: premake5.lua's table of rooms was not read" >&2; exit 1; }
 for room in $rooms; do
     [ -e "build/make/dragmesh_${room//\//_}.make" ] || { echo "rooms: no makefile for $room, run scripts/build" >&2; exit 1; }
@@ -55,7 +60,7 @@ forbid kinematics/features/cheap_features.c kinematics/ranking/ranker.h kinemati
 forbid kinematics/ranking/ranker.c kinematics/limits/limits.h kinematics/inference/joint_inference.h
 forbid kinematics/inference/joint_inference.c kinematics/object/object.h motion/drag.h api_handles.h
 forbid kinematics/object/prepare.c motion/drag.h segmentation/part_finder.h
-forbid motion/drag.c segmentation/part_finder.h api_handles.h dragmesh_lab.h
+forbid motion/drag.c kinematics/object/object.h pick/pick.h segmentation/part_finder.h api_handles.h dragmesh_lab.h
 
 # Which headers a room finds: `header LINE` in the compiler's output for each.
 (cd sdk && find . -name '*.h' | sed 's|^\./||' | sort) > "$work/sdk"
@@ -78,6 +83,42 @@ done < "$work/edges"
 
 upwards=$(grep -rnE '^ *# *include *["<]([^">]*/)?\.\./' sdk --include='*.[ch]' --include='*.cpp' --include='*.def' || true)
 [ -z "$upwards" ] || problem "an include has ../: $upwards"
+
+# The rooms in each row against those that the files include.
+names() { find "$@" \( -name '*.[ch]' -o -name '*.cpp' -o -name '*.def' \) -print | sort; }
+includes() { names "$@" | xargs grep -HE '^ *# *include *"' | sed -E 's/^([^:]*):[^"]*"([^"]*)".*/\1 \2/'; } # file, header
+rows '\(gltf_\)*rooms' | awk '{ for (i = 2; i <= NF; i++) print $1, $i }' | sort > "$work/permitted"
+includes sdk | sed -nE 's|^sdk/(.*)/[^/]* (.*)/[^/]*$|\1 \2|p' | awk '$1 != $2' | sort -u |
+    while read -r room other; do [ ! -d "sdk/$other" ] || echo "$room $other"; done > "$work/included"
+while read -r room other; do
+    problem "premake5.lua lets sdk/$room include from sdk/$other, and no file does"
+done < <(comm -23 "$work/permitted" "$work/included")
+while read -r room other; do
+    problem "sdk/$room includes from sdk/$other, which is not in its row of premake5.lua"
+done < <(comm -13 "$work/permitted" "$work/included")
+
+# refuse_circles WHAT < PAIRS: a problem for each loop that the pairs make.
+refuse_circles() {
+    local loops
+    loops=$(tsort 2>&1 > "$work/order") || problem "a circle of $1:" $(sed 's/^tsort: *//; s/^-: //' <<< "$loops")
+}
+
+# A quoted header lies beside the file that includes it, or below one of these folders.
+folders="sdk samples/common samples/dragmesh_cli plugin_api/include"
+names sdk plugin_api samples bindings > "$work/files"
+includes sdk plugin_api samples bindings | awk -v folders="$folders" '
+    NR == FNR { exists[$1]; next }
+    {
+        beside = $1
+        sub(/\/[^\/]*$/, "", beside)
+        count = split(beside " " folders, folder)
+        for (i = 1; i <= count; i++) {
+            header = folder[i] "/" $2
+            while (sub(/[^\/]+\/\.\.\//, "", header)) continue
+            if (header in exists) { print $1, header; break }
+        }
+    }' "$work/files" - > "$work/uses"
+refuse_circles "includes" < "$work/uses"
 
 [ "$problems" = 0 ] || exit 1
 echo "rooms: $(wc -w <<< "$rooms") rooms, $(wc -l < "$work/edges") allowed directions, none both ways"
