@@ -4,7 +4,7 @@
 
 #include "motion/drag.h"
 
-/* ---- drag.c ---- */
+/* ---- drag_joint.c ---- */
 
 /* Returns the pointer value that asks for `value`. */
 float dmi_drag_pointer_value(const dmi_drag* drag, float value);
@@ -13,11 +13,17 @@ dm_joint dmi_drag_found_joint(const dmi_drag* drag);
 /* Finds where the part is closed, its way open, and the pointer values of the limits: anew when joint, limits or rules
  * have changed. */
 void dmi_drag_measure_span(dmi_drag* drag);
+/* Finds how fast the grabbed point moves, host units a unit of the joint value: anew when the joint has changed. */
+void dmi_drag_measure_speed(dmi_drag* drag);
 /* Sets the value that is asked for by the pointer value. */
 void dmi_drag_ask(dmi_drag* drag);
 /* Shows the tracker a ray; `nearest` is the value of the active joint. Returns true when the joint has changed. */
 bool dmi_drag_track(dmi_drag* drag, float nearest, const dm_ray* unit);
-void dmi_drag_plan(dmi_drag* drag, int32_t intent, float duration);
+
+/* ---- drag_plan.c ---- */
+
+/* Moves a released part on by dt seconds. */
+void dmi_drag_update_released(dmi_drag* drag, float dt);
 
 /* ---- drag_aim.c ---- */
 
@@ -32,8 +38,6 @@ float dmi_drag_hand_miss(const dmi_drag* drag);
 void dmi_drag_note_start(dmi_drag* drag);
 /* Brings the target to what the hand asks for, as far as the rules let it. before: the target of the last update. */
 void dmi_drag_hold_back(dmi_drag* drag, float before, float dt);
-/* Does what the rules say of a released part. */
-void dmi_drag_close(dmi_drag* drag, float dt);
 /* Limits the step of this update, and finds what has happened. */
 void dmi_drag_keep_rules(dmi_drag* drag, float dt);
 

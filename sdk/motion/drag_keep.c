@@ -2,8 +2,6 @@
  * plan of a release has made. Apart from drag.c, so that drags without rules do not pay for it. */
 #include <math.h>
 
-#include "base/number_bounds.h"
-#include "math/elementary.h"
 #include "motion/drag_internal.h"
 
 #define ARRIVED_SHARE 1e-4f /* of the range: a released part is where its plan ends */
@@ -29,21 +27,6 @@ void dmi_drag_hold_back(dmi_drag* drag, float before, float dt) {
     if (dmi_latch_holds(&drag->latch)) target = dmi_latch_give(&drag->latch, &drag->rules, &drag->joint, target);
     drag->target = dmi_joint_clamp(&drag->joint, dmi_bounds_clamp(drag->constraints.bounds, target));
     drag->lag = drag->target - drag->asked;
-}
-
-/* Brings back a released part once its closer's delay is over, and one that has come near to rest. */
-void dmi_drag_close(dmi_drag* drag, float dt) {
-    const dmi_rules* rules = &drag->rules;
-    dmi_release* release = &drag->release;
-    const bool waits = release->return_time > 0 && rules->close_delay > 0;
-    drag->waited = dmi_fminf(drag->waited + dt, DMI_LARGEST_TIME);
-    if (release->intent != DM_INTENT_STAY || drag->stays) return;
-    if (waits && drag->waited < rules->close_delay) {
-        release->phase = DM_DRAG_RELEASED;
-        return;
-    }
-    const bool near = dmi_rules_share(rules, &drag->joint, drag->value) < rules->auto_close_share;
-    if (waits || near) dmi_drag_plan(drag, DM_INTENT_CLOSE, waits ? 0 : rules->auto_close_time);
 }
 
 /* A heavy part in the hand comes back from a limit. */

@@ -71,6 +71,11 @@ static float straightness_of_path(const dmi_grasp* grasp, const dmi_joint_hypoth
     return expected / (expected + SAGITTA * length * length * hypothesis->curvature);
 }
 
+bool dmi_joint_hypothesis_is_end_on(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis) {
+    const dmi_pull* pull = &grasp->pull;
+    return hypothesis->grabbed && dmi_is_seen_end_on(&hypothesis->joint, pull->grab, pull->pointer.sight);
+}
+
 float dmi_followed_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float residual) {
     if (dmi_joint_hypothesis_is_end_on(grasp, hypothesis)) return 0;
     const float followed = residual_log_likelihood(grasp, residual);

@@ -8,6 +8,9 @@
 void dmi_grasp_add(dmi_grasp* grasp, const dm_ray* ray);
 /* Whether the pull bends so little that the hand may have meant a straight line. */
 bool dmi_grasp_is_straight(const dmi_grasp* grasp);
+/* Whether the pull can't tell this joint's value, nor anything against it: the part was grabbed on this joint, whose
+ * first motion is seen end on. */
+bool dmi_joint_hypothesis_is_end_on(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis);
 /* Returns the residual that the right joint has with an unsteady pointer, host units. */
 float dmi_expected_residual(const dmi_grasp* grasp);
 /* Returns the log likelihood of a hand that follows the part exactly, with this largest residual. */

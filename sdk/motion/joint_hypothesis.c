@@ -106,11 +106,6 @@ void dmi_joint_reachable_range(const dm_joint* joint, dmi_limit_give limit_give,
     *out_upper = fabsf(joint->upper - joint->closed) <= near ? joint->upper : dmi_fminf(joint->upper + more, far);
 }
 
-bool dmi_joint_hypothesis_is_end_on(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis) {
-    const dmi_pull* pull = &grasp->pull;
-    return hypothesis->grabbed && dmi_is_seen_end_on(&hypothesis->joint, pull->grab, pull->pointer.sight);
-}
-
 void dmi_joint_hypothesis_range(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float* out_lower,
                                 float* out_upper) {
     if (hypothesis->range_unknown) {

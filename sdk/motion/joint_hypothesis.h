@@ -69,9 +69,6 @@ void dmi_joint_reachable_range(const dm_joint* joint, dmi_limit_give limit_give,
  * may have been inferred wrongly. A joint whose range is unknown stays in its free range. */
 void dmi_joint_hypothesis_range(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float* out_lower,
                                 float* out_upper);
-/* Whether the pull can't tell this joint's value, nor anything against it: the part was grabbed on this joint, whose
- * first motion is seen end on. */
-bool dmi_joint_hypothesis_is_end_on(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis);
 /* Whether the hand pushes the part against its stop at rest: it asks for a value on the other side, which is blocked.
  */
 bool dmi_joint_hypothesis_is_pushed_shut(const dmi_joint_hypothesis* hypothesis, float pointer_value);
