@@ -1,4 +1,5 @@
 /* dm_gltf: opening and closing a file, its nodes and its mesh. */
+#include <errno.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -6,7 +7,10 @@
 #include "base/utf8.h"
 #include "mesh/gltf/gltf_asset.h"
 #include "mesh/gltf/gltf_buffers.h"
+#include "mesh/gltf/gltf_disk.h"
 #include "mesh/gltf/gltf_fields.h"
+#include "mesh/gltf/gltf_folder.h"
+#include "mesh/gltf/gltf_geometry.h"
 #include "mesh/gltf/gltf_instancing.h"
 #include "mesh/gltf/gltf_merge.h"
 #include "mesh/gltf/gltf_morph.h"
@@ -16,13 +20,13 @@
 
 /* Bytes of a description without what was added to it later. */
 #define FIRST_SIZE offsetof(dm_gltf_desc, progress)
-#define PERCENT 100.0f
 
 /* Shares of opening, when the JSON is parsed, and when the buffers are there; by hand. */
 #define PARSED 0.2f
 #define BUFFERS_READ 0.3f
 
-const dm_log* dmi_gltf_log_of(const dm_gltf_desc* desc) {
+/* Returns where a description says its problems go; NULL when it is too short to say so. */
+static const dm_log* log_of(const dm_gltf_desc* desc) {
     return desc->struct_size >= FIRST_SIZE ? &desc->log : NULL;
 }
 
@@ -43,30 +47,15 @@ static dm_result check_desc(dmi_env* env, const dm_gltf_desc* given, const dm_gl
     return DM_OK;
 }
 
-/* A newer caller may only send zeros where this library knows no field. */
-dm_result dmi_gltf_read_desc(dmi_env* env, const dm_gltf_desc* given, int has_data, dm_gltf_desc* out) {
+/* Copies and checks a description, with or without data. A newer caller may only send zeros where this library knows no
+ * field. */
+static dm_result read_desc(dmi_env* env, const dm_gltf_desc* given, int has_data, dm_gltf_desc* out) {
     if (given->struct_size < FIRST_SIZE)
         return dmi_fail(env, DM_ERROR_STRUCT_SIZE, "dm_gltf_desc.struct_size is %u, at least %zu is needed",
                         given->struct_size, FIRST_SIZE);
     *out = (dm_gltf_desc){0};
     memcpy(out, given, given->struct_size < sizeof *out ? given->struct_size : sizeof *out);
     return check_desc(env, given, out, has_data);
-}
-
-dm_result dmi_gltf_tell(dm_gltf* gltf, float share, uint64_t work, dmi_gltf_problem* problem) {
-    if (share > gltf->told) gltf->told = share;
-    gltf->untold += work;
-    if (gltf->untold < DMI_PROGRESS_STEP) return DM_OK;
-    gltf->untold = 0;
-    const dm_result result = dmi_progress_tell(&gltf->progress, gltf->told);
-    if (result == DM_OK) return DM_OK;
-    return dmi_gltf_refuse(problem, result, "glTF: the progress callback asked to stop at %.0f %%",
-                           (double)(gltf->told * PERCENT));
-}
-
-void dmi_gltf_leave_out(dm_gltf* gltf, const dmi_gltf_problem* problem) {
-    dmi_gltf_warn(&gltf->warnings, "%s; left out", problem->text);
-    if (gltf->left_out.code == DM_OK) gltf->left_out = *problem;
 }
 
 static dm_result load(dm_gltf* gltf, const dm_gltf_desc* desc, dmi_gltf_problem* problem) {
@@ -92,12 +81,8 @@ static dm_result load(dm_gltf* gltf, const dm_gltf_desc* desc, dmi_gltf_problem*
     return result == DM_OK ? dmi_gltf_tell(gltf, 1, DMI_PROGRESS_STEP, problem) : result;
 }
 
-void dmi_gltf_release_on_disk(dmi_env* env, const dmi_gltf_on_disk* on_disk) {
-    dmi_free(env, on_disk->folder, on_disk->folder_size);
-    dmi_free(env, on_disk->data, on_disk->size);
-}
-
-dm_result dmi_gltf_open_in(const dm_gltf_desc* desc, const dmi_gltf_on_disk* on_disk, dm_gltf** out_gltf) {
+/* Opens by a description that was checked. Takes over `on_disk`, also where it fails. */
+static dm_result open_checked(const dm_gltf_desc* desc, const dmi_gltf_on_disk* on_disk, dm_gltf** out_gltf) {
     dmi_env setup;
     dmi_env_init(&setup, &desc->allocator, &desc->log, NULL);
     dm_gltf* gltf = dmi_alloc_zeroed(&setup, sizeof *gltf, 64);
@@ -125,11 +110,60 @@ dm_result dm_gltf_open(const dm_gltf_desc* desc, dm_gltf** out_gltf) {
     DMI_OWN_FP;
     dmi_env setup;
     if (!desc || !out_gltf) return DM_ERROR_INVALID_ARGUMENT;
-    dmi_env_init(&setup, NULL, dmi_gltf_log_of(desc), NULL);
+    dmi_env_init(&setup, NULL, log_of(desc), NULL);
     dm_gltf_desc known;
-    const dm_result result = dmi_gltf_read_desc(&setup, desc, 1, &known);
+    const dm_result result = read_desc(&setup, desc, 1, &known);
     const dmi_gltf_on_disk none = {NULL, 0, NULL, 0};
-    return result == DM_OK ? dmi_gltf_open_in(&known, &none, out_gltf) : result;
+    return result == DM_OK ? open_checked(&known, &none, out_gltf) : result;
+}
+
+/* The folder that holds the file, as new memory of *out_size bytes. */
+static char* folder_of(dmi_env* env, const char* path, size_t* out_size) {
+    const char* slash = dmi_disk_last_separator(path);
+    const size_t length = !slash ? 1 : slash == path ? 1 : (size_t)(slash - path);
+    char* folder = dmi_alloc(env, length + 1, 1);
+    if (!folder) return NULL;
+    memcpy(folder, slash ? path : ".", length);
+    folder[length] = 0;
+    *out_size = length + 1;
+    return folder;
+}
+
+/* Takes `from` over. */
+static dm_result open_contents(dmi_env* env, const char* path, const dm_gltf_desc* desc, const dmi_gltf_contents* from,
+                               dm_gltf** out_gltf) {
+    dmi_gltf_on_disk on_disk = {.data = from->data, .size = from->size};
+    on_disk.folder = folder_of(env, path, &on_disk.folder_size);
+    if (from->size == 0 || !on_disk.folder) {
+        dmi_gltf_release_on_disk(env, &on_disk);
+        return from->size == 0 ? dmi_fail(env, DM_ERROR_BAD_DATA, "'%.200s' is empty", path)
+                               : dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for a path");
+    }
+    dm_gltf_desc whole = *desc;
+    whole.data = from->data;
+    whole.size = from->size;
+    return open_checked(&whole, &on_disk, out_gltf);
+}
+
+dm_result dm_gltf_open_file(const char* path, const dm_gltf_desc* desc, dm_gltf** out_gltf) {
+    DMI_OWN_FP;
+    dmi_env env;
+    if (!path || !desc || !out_gltf) return DM_ERROR_INVALID_ARGUMENT;
+    dmi_env_init(&env, NULL, log_of(desc), NULL);
+    dm_gltf_desc known;
+    dm_result result = read_desc(&env, desc, 0, &known);
+    if (result == DM_OK && known.files.open)
+        result = dmi_fail(&env, DM_ERROR_INVALID_ARGUMENT, "dm_gltf_desc.files: the folder stands for them");
+    if (result != DM_OK) return result;
+    dmi_env_init(&env, &known.allocator, &known.log, NULL);
+    dmi_gltf_contents found;
+    result = dmi_gltf_read_file(&env, path, &found);
+    if (result == DM_ERROR_OUT_OF_MEMORY || result == DM_ERROR_TOO_LARGE)
+        return dmi_fail(&env, result, "'%.200s': no memory for it, or more than 4 GB", path);
+    if (result != DM_OK)
+        return dmi_fail(&env, result, "can't read '%.200s': %s", path,
+                        errno == EINVAL ? "it is a pipe or a device, not a file" : strerror(errno));
+    return open_contents(&env, path, &known, &found, out_gltf);
 }
 
 void dm_gltf_close(dm_gltf* gltf) {
@@ -137,6 +171,7 @@ void dm_gltf_close(dm_gltf* gltf) {
     dmi_env* env = &gltf->env;
     const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
     dmi_gltf_release_asset(gltf);
+    dmi_gltf_release_decoded(gltf);
     dmi_gltf_release_buffers(gltf);
     dmi_free(env, gltf->tree, count * sizeof *gltf->tree);
     dmi_free(env, gltf->names, count * sizeof *gltf->names);

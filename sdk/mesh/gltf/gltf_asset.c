@@ -2,7 +2,6 @@
  */
 #include "mesh/gltf/gltf_asset.h"
 
-#include <inttypes.h>
 #include <string.h>
 
 #include "base/fp_environment.h"
@@ -20,15 +19,6 @@ static const dm_joint one_with_the_first = {.struct_size = sizeof(dm_joint),
                                             .joint_confidence = 1,
                                             .axis = {1, 0, 0},
                                             .source = DM_JOINT_FROM_HOST};
-
-void* dmi_gltf_push(dm_gltf* gltf, dmi_arena* arena, uint64_t count, size_t element, dmi_gltf_problem* problem) {
-    if (dmi_gltf_spend(gltf, count, element, "glTF: asset", problem) != DM_OK) return NULL;
-    void* memory = dmi_arena_push(arena, (size_t)count * element);
-    if (!memory)
-        dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: asset: no memory for %" PRIu64 " bytes",
-                        count * element);
-    return memory;
-}
 
 /* ---- which nodes ---- */
 

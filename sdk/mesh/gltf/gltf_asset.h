@@ -2,7 +2,6 @@
 #ifndef DMI_MESH_GLTF_ASSET_H
 #define DMI_MESH_GLTF_ASSET_H
 
-#include "base/arena.h"
 #include "mesh/gltf/gltf_file.h"
 
 /* What dm_gltf_get_asset answers. Its memory is the arena's. */
@@ -16,7 +15,5 @@ struct dmi_gltf_asset {
 
 /* Frees the asset of a file, where one was asked for. */
 void dmi_gltf_release_asset(dm_gltf* gltf);
-/* Takes memory of the arena, within what the file may cost; NULL: says why, as a problem. */
-void* dmi_gltf_push(dm_gltf* gltf, dmi_arena* arena, uint64_t count, size_t element, dmi_gltf_problem* problem);
 
 #endif

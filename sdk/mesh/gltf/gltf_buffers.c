@@ -8,33 +8,6 @@
 #include "mesh/gltf/gltf_meshopt.h"
 #include "mesh/gltf/gltf_uri.h"
 
-dm_result dmi_gltf_spend(dm_gltf* gltf, uint64_t count, uint64_t element, const char* place,
-                         dmi_gltf_problem* problem) {
-    if (count <= gltf->bytes_left / element) {
-        gltf->bytes_left -= count * element;
-        return DM_OK;
-    }
-    dmi_gltf_refuse(problem, DM_ERROR_TOO_LARGE,
-                    "%s: the scene takes more than %d bytes for each of the file's, repeated meshes count", place,
-                    DMI_GLTF_BYTES_PER_BYTE);
-    problem->fatal = 1;
-    return problem->code;
-}
-
-uint64_t dmi_gltf_grant_draco(dm_gltf* gltf, uint64_t size) {
-    const uint64_t counted = size < gltf->draco_left ? size : gltf->draco_left;
-    const uint64_t granted = counted * (DMI_GLTF_BYTES_PER_DRACO_BYTE - DMI_GLTF_BYTES_PER_BYTE);
-    gltf->draco_left -= counted;
-    gltf->bytes_most += granted;
-    gltf->bytes_left += granted;
-    return granted;
-}
-
-void dmi_gltf_take_back(dm_gltf* gltf, uint64_t granted) {
-    gltf->bytes_most -= granted;
-    gltf->bytes_left -= granted < gltf->bytes_left ? granted : gltf->bytes_left;
-}
-
 /* ---- buffers ---- */
 
 static dm_result open_file(dm_gltf* gltf, const char* uri, dmi_gltf_problem* problem, dmi_gltf_buffer* out) {
@@ -136,11 +109,8 @@ static void release_list(dm_gltf* gltf, dmi_gltf_buffer* list, uint32_t count) {
 
 void dmi_gltf_release_buffers(dm_gltf* gltf) {
     dmi_env* env = &gltf->env;
-    const uint32_t views = gltf->document.counts[DMI_GLTF_VIEWS];
     release_list(gltf, gltf->buffers, gltf->document.counts[DMI_GLTF_BUFFERS]);
     release_list(gltf, gltf->images, gltf->document.counts[DMI_GLTF_IMAGES]);
-    for (uint32_t i = 0; gltf->decoded && i < views; i++) dmi_gltf_release_decoded(env, &gltf->decoded[i]);
-    dmi_free(env, gltf->decoded, views * sizeof *gltf->decoded);
     dmi_free(env, gltf->sparse_fit, gltf->document.counts[DMI_GLTF_ACCESSORS]);
     dmi_free(env, gltf->bin_copy, gltf->bin_size);
 }

@@ -2,6 +2,7 @@
 #ifndef DMI_MESH_GLTF_FILE_H
 #define DMI_MESH_GLTF_FILE_H
 
+#include "base/arena.h"
 #include "base/progress.h"
 #include "dragmesh/ext/gltf.h"
 #include "mesh/gltf/gltf_document.h"
@@ -116,20 +117,14 @@ struct dm_gltf {
     dmi_gltf_asset* asset; /* NULL until one is asked for */
 };
 
-/* dm_gltf_open of a description that was checked. Takes over `on_disk`, also where it fails. */
-dm_result dmi_gltf_open_in(const dm_gltf_desc* desc, const dmi_gltf_on_disk* on_disk, dm_gltf** out_gltf);
 void dmi_gltf_release_on_disk(dmi_env* env, const dmi_gltf_on_disk* on_disk);
-/* The files of gltf->on_disk.folder. */
-dm_gltf_files dmi_gltf_folder_files(dm_gltf* gltf);
-/* Copies and checks a description of any version, with or without data. */
-dm_result dmi_gltf_read_desc(dmi_env* env, const dm_gltf_desc* given, int has_data, dm_gltf_desc* out);
-/* Where a description says its problems go; NULL when it is too short to say so. */
-const dm_log* dmi_gltf_log_of(const dm_gltf_desc* desc);
 /* Counts vertices and triangles that were worked on, and reports after DMI_PROGRESS_STEP of them that `share` of the
  * call is done; a lower share than before: as much as before. CANCELLED, as a problem, when the host asks to stop. */
 dm_result dmi_gltf_tell(dm_gltf* gltf, float share, uint64_t work, dmi_gltf_problem* problem);
 /* Takes memory out of what the file may cost; TOO_LARGE when it is used up. */
 dm_result dmi_gltf_spend(dm_gltf* gltf, uint64_t count, uint64_t element, const char* place, dmi_gltf_problem* problem);
+/* Takes memory of the arena, within what the file may cost; NULL: says why, as a problem. */
+void* dmi_gltf_push(dm_gltf* gltf, dmi_arena* arena, uint64_t count, size_t element, dmi_gltf_problem* problem);
 /* Adds what a Draco stream of `size` bytes may take; no byte of the file counts twice. Returns how much that is, for
  * dmi_gltf_take_back where the stream does not decode. */
 uint64_t dmi_gltf_grant_draco(dm_gltf* gltf, uint64_t size);
@@ -137,6 +132,5 @@ void dmi_gltf_take_back(dm_gltf* gltf, uint64_t granted);
 
 /* Warns that a piece of the file is left out; when nothing else is there, the first such problem is the error. */
 void dmi_gltf_leave_out(dm_gltf* gltf, const dmi_gltf_problem* problem);
-void dmi_gltf_release_decoded(dmi_env* env, dmi_gltf_decoded* decoded);
 
 #endif

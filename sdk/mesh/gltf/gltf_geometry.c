@@ -132,13 +132,19 @@ dm_result dmi_gltf_find_in_draco(dm_gltf* gltf, const cJSON* primitive, const ch
     return read_block(gltf, decoded, (uint32_t)id, out->component_type, place, problem, out);
 }
 
-void dmi_gltf_release_decoded(dmi_env* env, dmi_gltf_decoded* decoded) {
+static void release_view(dmi_env* env, const dmi_gltf_decoded* decoded) {
     dmi_free(env, decoded->data, decoded->size);
     dmi_draco_close(decoded->draco);
     for (dmi_gltf_block *block = decoded->blocks, *next; block; block = next) {
         next = block->next;
         dmi_free(env, block, block->size);
     }
+}
+
+void dmi_gltf_release_decoded(dm_gltf* gltf) {
+    const uint32_t views = gltf->document.counts[DMI_GLTF_VIEWS];
+    for (uint32_t i = 0; gltf->decoded && i < views; i++) release_view(&gltf->env, &gltf->decoded[i]);
+    dmi_free(&gltf->env, gltf->decoded, views * sizeof *gltf->decoded);
 }
 
 /* ---- primitives ---- */

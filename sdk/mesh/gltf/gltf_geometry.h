@@ -30,4 +30,7 @@ const cJSON* dmi_gltf_draco_of(const dm_gltf* gltf, const cJSON* primitive);
 dm_result dmi_gltf_find_in_draco(dm_gltf* gltf, const cJSON* primitive, const char* attribute, const char* place,
                                  dmi_gltf_problem* problem, dmi_gltf_elements* out);
 
+/* Frees what compressed views hold, and their list. */
+void dmi_gltf_release_decoded(dm_gltf* gltf);
+
 #endif
