@@ -85,10 +85,11 @@ typedef struct dmi_rig_model {
 dm_result dmi_rig_model_make(dmi_env* env, const dm_gltf_rig_desc* desc, dmi_rig_model* out);
 void dmi_rig_model_close(dmi_rig_model* model);
 
-/* ---- steps of dmi_rig_model_make ---- */
-
 /* Takes memory of the model; NULL: there is none, which was logged. */
 void* dmi_rig_push(dmi_rig_model* model, size_t count, size_t size);
+
+/* ---- steps of dmi_rig_model_make, each in its file ---- */
+
 /* Makes the bodies of the parts that move, and says which body each part goes with. */
 dm_result dmi_rig_make_bodies(dmi_rig_model* model, uint32_t* out_part_bodies);
 /* Reads the meshes of the nodes as shapes of the bodies; alike meshes are one. */
