@@ -26,34 +26,10 @@
 #define FAR_SLIDE 50.0f      /* object sizes of a slide's value */
 #define FAR_TURN 12.6f       /* rad beyond the limits of a turn: two turns, twice what a pull exceeds them by */
 #define LONG_FRAME 3.0f      /* s of one update: 3 ms in milliseconds */
-#define SMALLEST_FEEL 1e-12f /* least time, share or catch that is not 0: its inverse stays in a float's range */
 #define STOP_TOLERANCE 1e-4f /* object sizes, or rad: a value this near to the only limit is at it */
 /* A negative time step this small is a rounded 0, s. The last bit of a clock that counts seconds in a float is as large
  * after a quarter of an hour; by hand. */
 #define ROUNDED_TIME 1e-4f
-
-static dm_result check_feel(dmi_env* env, const dm_drag_feel* feel) {
-    const float numbers[6] = {feel->smoothing_time, feel->soft_limit,  feel->coast_time,
-                              feel->detent,         feel->detent_pull, feel->return_time};
-    static const char* const names[6] = {
-        "dm_drag_begin: desc.feel.smoothing_time", "dm_drag_begin: desc.feel.soft_limit",
-        "dm_drag_begin: desc.feel.coast_time",     "dm_drag_begin: desc.feel.detent",
-        "dm_drag_begin: desc.feel.detent_pull",    "dm_drag_begin: desc.feel.return_time"};
-    for (int i = 0; i < 6; i++) {
-        dm_result result = dmi_check_finite(env, names[i], &numbers[i], 1);
-        if (result != DM_OK) return result;
-        if (numbers[i] == 0 || fabsf(numbers[i]) >= SMALLEST_FEEL) continue;
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is %g: numbers below %g are too small to compute with",
-                        names[i], (double)numbers[i], (double)SMALLEST_FEEL);
-    }
-    for (int i = 1; i <= 4; i++) { /* soft_limit, detent and detent_pull; coast_time may be negative */
-        const bool share = i == 1 || i == 4;
-        if (i == 2 || (numbers[i] >= 0.0f && !(share && numbers[i] > 1.0f))) continue;
-        return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s is %g: it must be %s", names[i], (double)numbers[i],
-                        share ? "0 to 1" : "0 or more");
-    }
-    return DM_OK;
-}
 
 static dm_result check_desc(dmi_env* env, const dm_drag_desc* desc) {
     static const char* const places[3] = {".grab_point.x", ".grab_point.y", ".grab_point.z"};
@@ -62,7 +38,7 @@ static dm_result check_desc(dmi_env* env, const dm_drag_desc* desc) {
         result = dmi_check_vector(env, "dm_drag_begin: desc", places, dmi_xyz(desc->grab_point).v);
     if (result == DM_OK) result = dmi_check_number(env, "dm_drag_begin: desc", ".start_value", desc->start_value);
     if (result == DM_OK) result = dmi_check_finite(env, "dm_drag_begin: desc.limit_give", &desc->limit_give, 1);
-    if (result == DM_OK) result = check_feel(env, &desc->feel);
+    if (result == DM_OK) result = dmi_check_feel(env, &desc->feel);
     if (result != DM_OK) return result;
     if (desc->flags & ~(uint32_t)(DM_DRAG_KEEP_JOINT | DM_DRAG_WITHOUT_POINT)) {
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "dm_drag_begin: desc.flags is 0x%x: unknown flag", desc->flags);
@@ -409,21 +385,6 @@ static bool same_pose(const dm_pose* a, const dm_pose* b) {
     return same;
 }
 
-/* Returns the feel with times and catches that can be computed with. */
-static dm_drag_feel usable_feel(const dm_drag_feel* given) {
-    dm_drag_feel feel = *given;
-    float* const times[3] = {&feel.smoothing_time, &feel.coast_time, &feel.return_time};
-    for (int i = 0; i < 3; i++) *times[i] = dmi_clamp_within(*times[i], DMI_LARGEST_TIME);
-    feel.detent = dmi_fminf(feel.detent, DMI_LARGEST);
-    return feel;
-}
-
-bool dmi_is_usable_feel(const dm_drag_feel* feel) {
-    const dm_drag_feel usable = usable_feel(feel);
-    /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): what clamping has left as it was has the same bits */
-    return check_feel(NULL, feel) == DM_OK && memcmp(feel, &usable, sizeof usable) == 0;
-}
-
 /* Returns where the joint comes from that the drag begins with: DM_BASIS_*. */
 static int32_t basis_of(const start* s) {
     if (s->joint.source == DM_JOINT_FROM_HOST) return DM_BASIS_HOST;
@@ -434,7 +395,7 @@ static int32_t basis_of(const start* s) {
 }
 
 static void begin(dmi_drag_slot* slot, start* s) {
-    dm_drag_feel feel = usable_feel(&s->desc->feel);
+    dm_drag_feel feel = dmi_usable_feel(&s->desc->feel);
     const bool certain = s->desc->flags & DM_DRAG_KEEP_JOINT || s->joint.source == DM_JOINT_FROM_HOST;
     const dm_pose on_joint = dmi_joint_pose(&s->joint, s->value);
     if (!certain && dmi_joint_has_limits(&s->joint)) { /* an earlier drag may have exceeded the estimated limits */
@@ -446,7 +407,7 @@ static void begin(dmi_drag_slot* slot, start* s) {
     slot->value_unit = dmi_joint_value_unit(&s->joint, s->object_size);
     const float unit_share = slot->value_unit / (s->joint.upper - s->joint.lower);
     if (slot->open_side != 0 && feel.soft_limit > 0)
-        feel.soft_limit = dmi_clamp(feel.soft_limit * unit_share, SMALLEST_FEEL, 1);
+        feel.soft_limit = dmi_clamp(feel.soft_limit * unit_share, DMI_SMALLEST_FEEL, 1);
     if (s->has_pose && !same_pose(&s->pose, &on_joint)) {
         begin_at_pose(&slot->drag, s, &feel);
     } else {

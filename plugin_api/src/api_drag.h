@@ -6,6 +6,13 @@
 
 #include "api_handles.h"
 
+/* Least time, share or catch of a feel that is not 0: its inverse stays in a float's range. By hand. */
+#define DMI_SMALLEST_FEEL 1e-12f
+
+/* Checks desc.feel of dm_drag_begin. */
+dm_result dmi_check_feel(dmi_env* env, const dm_drag_feel* feel);
+/* Returns the feel with times and catches that can be computed with. */
+dm_drag_feel dmi_usable_feel(const dm_drag_feel* given);
 /* Whether a drag can have begun with this feel. */
 bool dmi_is_usable_feel(const dm_drag_feel* feel);
 /* What rules are read with: the joint that the drag begins with, which of its limits count, and the object's size in
