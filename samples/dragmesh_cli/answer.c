@@ -4,6 +4,7 @@
 
 #include "../common/shown.h"
 #include "job.h"
+#include "joint_type.h"
 #include "json.h"
 
 void joint_to_json(const dm_joint* joint, const double frame[3], cJSON* out) {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "job.h"
+#include "joint_type.h"
 #include "json.h"
 #include "vec.h"
 

@@ -73,6 +73,7 @@ static int run(int argc, char** argv) {
         status = options_refuse(&cli_rig, "-j: 1 to %d", MOST_WORKERS);
     if (status != CLI_OK) return status;
     if (platform_kind_of(file) != PLATFORM_FOLDER) return rig_file(file, models, &output, &options);
+    if (rig_output_is_answer(output.path)) return options_refuse(&cli_rig, "-o: the assets of a folder need a folder");
     return rig_folder(file, models, &output, &options, workers);
 }
 

@@ -180,6 +180,13 @@ typedef struct bot_result {
     dm_pose pose; /* as shown at the end */
 } bot_result;
 
+/* Where a pose takes a point. */
+vec bot_moved(const dm_pose* pose, vec point);
+/* Returns how far the part's vertices are apart under two poses, at most; share of the object's size. */
+double bot_apart(const bot_part* part, const dm_pose* a, const dm_pose* b);
+/* Returns the joint that the library is given where it is told the truth. */
+dm_joint bot_true_joint(const known_joint* truth);
+
 /* A case: where from, what and how. */
 struct bot_body;
 typedef struct bot_case {
@@ -208,11 +215,6 @@ typedef struct bot_frame {
 
 /* Writes every update as a line of JSON. */
 void bot_poses_write(const bot_case* played, const bot_frame* frames, int count);
-
-/* Where a pose takes a point. */
-vec bot_moved(const dm_pose* pose, vec point);
-/* Returns how far the part's vertices are apart under two poses, at most; share of the object's size. */
-double bot_apart(const bot_part* part, const dm_pose* a, const dm_pose* b);
 
 /* Lets go of the part and grabs it again where it is, as docs/integration.md says. state: the last one. */
 dm_result bot_regrab(session* session, uint32_t part, dm_drag* drag, dm_drag_state* state);

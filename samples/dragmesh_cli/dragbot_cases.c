@@ -17,14 +17,6 @@ static bot_row* new_row(bot_score* score) {
     return row;
 }
 
-dm_joint bot_true_joint(const known_joint* truth) {
-    dm_joint joint = {.struct_size = sizeof joint, .axis = vec_out(truth->axis), .origin = vec_out(truth->origin)};
-    const bool limited = isfinite(truth->lower) && isfinite(truth->upper);
-    joint.type = truth->slides ? DM_JOINT_PRISMATIC : limited ? DM_JOINT_REVOLUTE : DM_JOINT_CONTINUOUS;
-    if (limited) joint.lower = (float)truth->lower, joint.upper = (float)truth->upper;
-    return joint;
-}
-
 /* Returns the row of a case, which the run with the true joint shares with the run before it. */
 static bot_row* find_row(bot_score* score, const char* id, bool given) {
     for (size_t r = score->count; given && r > 0; r--)

@@ -33,19 +33,6 @@ static void record_time(bot_times* times, double ns) {
     times->ns[times->count++] = (float)ns;
 }
 
-vec bot_moved(const dm_pose* pose, vec point) {
-    float xyz[3] = {(float)point.x, (float)point.y, (float)point.z};
-    dm_pose_apply_points(pose, xyz, 0, xyz, 0, 1);
-    return vec_at(xyz);
-}
-
-double bot_apart(const bot_part* part, const dm_pose* a, const dm_pose* b) {
-    double most = 0;
-    for (int i = 0; i < BOT_EXTREMES; i++)
-        most = fmax(most, length(sub(bot_moved(a, part->extremes[i]), bot_moved(b, part->extremes[i]))));
-    return most / part->object_size;
-}
-
 /* Returns the true joint's value of a pose: the twist about its axis, or the displacement of the part's centre. */
 static double true_value(const known_joint* truth, const dm_pose* pose, vec centre, double near) {
     if (truth->slides) return dot(sub(bot_moved(pose, centre), centre), truth->axis);

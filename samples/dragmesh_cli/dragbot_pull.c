@@ -14,31 +14,6 @@ static const double hand_speed = 600; /* px a second, at most; and two seconds a
 /* Two places look the same when they are nearer than a share of the screen's height and of the path's length; they are
  * far apart when their values differ by a share of the asked value. */
 static const double alike_share = 0.02, alike_way = 0.1, far_share = 0.25;
-static const double free_slide = 0.1; /* share of the object's size pulled where no limits are known */
-
-vec bot_true_move(const known_joint* truth, vec point, double value) {
-    if (truth->slides) return add(point, scale(truth->axis, value));
-    return add(truth->origin, turn(sub(point, truth->origin), truth->axis, value));
-}
-
-vec bot_true_direction(const known_joint* truth, vec point, double value) {
-    const vec way = truth->slides ? truth->axis : cross(truth->axis, sub(point, truth->origin));
-    return unit(scale(way, value < 0 ? -1 : 1));
-}
-
-/* Returns the side of rest, +1 or -1, that the dataset's drags pull to. */
-static double side_of(const known_joint* truth) {
-    if (truth->drag_count == 0) return fabs(truth->lower) > fabs(truth->upper) ? -1 : 1;
-    const vec point = truth->drags[0].point;
-    const vec way = truth->slides ? truth->axis : cross(truth->axis, sub(point, truth->origin));
-    return dot(way, truth->drags[0].vector) < 0 ? -1 : 1;
-}
-
-double bot_travel(const known_joint* truth, double size) {
-    const double side = side_of(truth), end = side > 0 ? truth->upper : truth->lower;
-    if (isfinite(end) && end * side > 0) return end;
-    return side * (truth->slides ? free_slide * size : 0.5 * PI);
-}
 
 /* ---- path ---- */
 

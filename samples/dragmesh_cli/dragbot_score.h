@@ -64,7 +64,6 @@ typedef struct bot_run {
     bot_score score;
 } bot_run;
 
-dm_joint bot_true_joint(const known_joint* truth);
 /* Plays all joints of an object with every hand. */
 void bot_play_object(session* session, const char* folder, const char* name, bot_run* runs, int run_count);
 /* Plays all joints with the naive hands among the runs. object: what it knows and is told; nothing is prepared. */

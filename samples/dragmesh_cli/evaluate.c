@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "joint_type.h"
 #include "mask_noise.h"
 #include "part_at_point.h"
 #include "play.h"

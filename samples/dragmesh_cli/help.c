@@ -4,7 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "job.h"
+#include "dragmesh/dragmesh.h"
+#include "joint_type.h"
 
 /* Words of usages, and what they stand for. */
 static const struct {

@@ -70,8 +70,5 @@ void joint_to_json(const dm_joint* joint, const double frame[3], cJSON* out);
 /* Says what the percentages of joint_print are. */
 void confidence_print(void);
 void joint_print(const dm_joint* joint, const double frame[3]);
-const char* joint_type_name(int32_t type);
-/* DM_JOINT_UNKNOWN for a name that is none. */
-int32_t joint_type_from_name(const char* name);
 
 #endif

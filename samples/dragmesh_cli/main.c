@@ -1,47 +1,17 @@
 /* dragmesh: the command-line tool. Picks the subcommand. */
 #include <stdbool.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "../common/platform.h"
 #include "cli.h"
 #include "dragmesh/dragmesh.h"
 #include "help.h"
-#include "timing.h"
 
 static const cli_command* const commands[] = {&cli_rig,   &cli_infer, &cli_animate, &cli_film,
                                               &cli_nodes, &cli_pick,  &cli_prepare, &cli_show,
                                               &cli_eval,  &cli_bench, &cli_demo,    &cli_dragbot};
 enum { COMMANDS = sizeof commands / sizeof(void*) };
-
-void* cli_grow(void* memory, size_t size) {
-    void* grown = realloc(memory, size > 0 ? size : 1);
-    if (grown != NULL) return grown;
-    fprintf(stderr, "dragmesh: no memory for %zu bytes\n", size);
-    exit(CLI_FAILED);
-}
-
-void* cli_alloc(size_t size) {
-    return cli_grow(NULL, size);
-}
-
-void* cli_alloc_zeroed(size_t size) {
-    void* memory = cli_alloc(size);
-    memset(memory, 0, size);
-    return memory;
-}
-
-char* cli_copy_text(const char* text) {
-    const size_t size = strlen(text) + 1;
-    char* copy = cli_alloc(size);
-    memcpy(copy, text, size);
-    return copy;
-}
-
-double cli_now_ms(void) {
-    return 1e-6 * timing_now_ns(CLOCK_MONOTONIC);
-}
 
 /* Writes 0.3.0, or 0.3.0-dev for an odd number (DM_VERSION). */
 static void print_version(FILE* out, uint32_t version) {

@@ -172,10 +172,6 @@ static vec trace(renderer* r, double x, double y) {
 
 /* ---- pictures ---- */
 
-const dm_pose* render_pose(const renderer* r, const dm_pose* poses, uint32_t index, uint32_t part_id) {
-    return r->part_count == 0 ? &poses[index] : &poses[(size_t)index * r->part_count + part_id];
-}
-
 /* Moves all parts of the object. */
 static dm_result place_parts(const renderer* r, const dm_pose* poses) {
     dm_context* context = r->session->context;

@@ -13,6 +13,10 @@ typedef struct basis {
     vec right, up, forward;
 } basis;
 
+const dm_pose* render_pose(const renderer* r, const dm_pose* poses, uint32_t index, uint32_t part_id) {
+    return r->part_count == 0 ? &poses[index] : &poses[(size_t)index * r->part_count + part_id];
+}
+
 static basis camera_basis(const dm_camera* camera) {
     basis b = {.forward = unit(vec_of(camera->forward))};
     b.right = unit(cross(b.forward, vec_of(camera->up)));

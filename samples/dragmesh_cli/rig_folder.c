@@ -194,7 +194,6 @@ int rig_folder(const char* folder, const char* models, const rig_output* output,
                .output = output,
                .options = options,
                .start = cli_now_ms()};
-    if (ends_with(output->path, ".json")) return options_refuse(&cli_rig, "-o: the assets of a folder need a folder");
     if (platform_make_folder(output->path) != 0 && errno != EEXIST) {
         fprintf(stderr, "dragmesh: can't make the folder '%s': %s\n", output->path, strerror(errno));
         return CLI_FAILED;

@@ -1,6 +1,7 @@
 /* The answer about an asset as JSON. */
 #include <stdio.h>
 
+#include "joint_type.h"
 #include "json.h"
 #include "rig.h"
 

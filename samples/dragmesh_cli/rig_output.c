@@ -10,7 +10,7 @@
 #include "files.h"
 #include "json.h"
 
-static bool is_json(const char* path) {
+bool rig_output_is_answer(const char* path) {
     const size_t length = strlen(path);
     return length > 5 && strcmp(path + length - 5, ".json") == 0;
 }
@@ -42,8 +42,8 @@ static dm_result write_folder(file_set* set, const rig* rig, const rig_options* 
 
 dm_result rig_output_write(session* session, const rig* rig, const rig_options* options, const rig_output* output) {
     file_set set = {.session = session};
-    dm_result result = is_json(output->path) ? write_answer(&set, rig, options, output->path)
-                                             : write_folder(&set, rig, options, output);
+    dm_result result = rig_output_is_answer(output->path) ? write_answer(&set, rig, options, output->path)
+                                                          : write_folder(&set, rig, options, output);
     if (result == DM_OK) result = file_set_publish(&set);
     file_set_free(&set);
     return result;

@@ -10,6 +10,8 @@ typedef struct rig_output {
     bool is_worker;   /* of a folder's run, which tells what this process leaves in its folder */
 } rig_output;
 
+/* Whether `path` gets the answer alone: the name of a .json. */
+bool rig_output_is_answer(const char* path);
 /* Writes all files of an asset, rig.json last. */
 dm_result rig_output_write(session* session, const rig* rig, const rig_options* options, const rig_output* output);
 /* Prints how it went. */
