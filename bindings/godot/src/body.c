@@ -7,6 +7,21 @@
 
 enum { MOUSE_BUTTON_LEFT = 1 };
 
+/* PropertyHint, PropertyUsageFlags. 24/17: an object that is a resource. */
+enum { HINT_TYPE_STRING = 23, USAGE_STORAGE = 2, USAGE_DEFAULT = 6 };
+
+const gd_property_row body_properties[PROPERTIES] = {
+    [PROPERTY_PARTS] = {"parts", GDEXTENSION_VARIANT_TYPE_ARRAY, HINT_TYPE_STRING, "24/17:DragMeshPart", USAGE_DEFAULT},
+    [PROPERTY_BODY] = {"body", GDEXTENSION_VARIANT_TYPE_NODE_PATH, 0, "", USAGE_DEFAULT},
+    [PROPERTY_DMO] = {"dmo", GDEXTENSION_VARIANT_TYPE_PACKED_BYTE_ARRAY, 0, "", USAGE_STORAGE},
+    [PROPERTY_DMO_PARTS] = {"dmo_parts", GDEXTENSION_VARIANT_TYPE_PACKED_STRING_ARRAY, 0, "", USAGE_STORAGE},
+    [PROPERTY_PREPARE] = {"prepare_when_ready", GDEXTENSION_VARIANT_TYPE_BOOL, 0, "", USAGE_DEFAULT},
+    [PROPERTY_NAMES] = {"use_names", GDEXTENSION_VARIANT_TYPE_BOOL, 0, "", USAGE_DEFAULT},
+    [PROPERTY_PIVOTS] = {"use_pivots", GDEXTENSION_VARIANT_TYPE_BOOL, 0, "", USAGE_DEFAULT},
+    [PROPERTY_MOUSE] = {"mouse", GDEXTENSION_VARIANT_TYPE_BOOL, 0, "", USAGE_DEFAULT},
+    [PROPERTY_BY_RULE] = {"release_by_rule", GDEXTENSION_VARIANT_TYPE_BOOL, 0, "", USAGE_DEFAULT},
+};
+
 static body* first_body;
 
 body* body_new(GDExtensionObjectPtr object) {
@@ -33,10 +48,6 @@ void body_free(body* b) {
     for (int i = 0; i < PROPERTIES; i++) gd_free(&b->properties[i]);
     gd_free(&b->mouse);
     free(b);
-}
-
-gd_value body_self(const body* b) {
-    return gd_of_object(b->object);
 }
 
 static void emit(const body* b, const char* signal, gd_value argument) {

@@ -84,32 +84,38 @@ typedef struct body {
 body* body_new(GDExtensionObjectPtr object);
 void body_free(body* b);
 
-gd_value body_self(const body* b);
+/* ---- parts and nodes: nodes.c ---- */
 
-/* ---- parts: parts.c ---- */
+gd_value body_self(const body* b);
+part* body_part(body* b, uint32_t id);
+/* The part that a node is, or in an asset is of; NULL: none. */
+part* body_part_of(body* b, const gd_value* node);
+gd_value part_node(const part* p);
+/* Whether a part is another, or is carried by it, over whatever is between them. */
+bool part_is_carried_by(body* b, const part* p, const part* other);
+/* Ends a drag and keeps where the part is. */
+void part_end(part* p);
+void body_forget_parts(body* b);
+/* All nodes of a class below the body, those above before those below: an Array. */
+gd_value body_nodes(const body* b, const char* class_name);
+/* A property as text of malloc; NULL without memory. */
+char* body_text_of(const gd_value* object, const char* property);
+/* "above/name", with another letter between; frees both; NULL without memory. */
+char* body_joined(char* above, char* name, char between);
+
+/* ---- marked parts: parts.c ---- */
 
 /* Whether the properties say which nodes are parts. */
 bool body_is_marked(const body* b);
 /* Reads which nodes are parts, where they rest and how they behave: what is marked, and every other mesh but the one
  * that stays. */
 void body_find_parts(body* b);
-void body_forget_parts(body* b);
-part* body_part(body* b, uint32_t id);
-/* The part that a node is, or in an asset is of; NULL: none. */
-part* body_part_of(body* b, const gd_value* node);
-gd_value part_node(const part* p);
 /* Mesh and hints of all nodes; NULL without memory. */
 preparation* body_collect(body* b);
-/* All nodes of a class below the body, those above before those below: an Array. */
-gd_value body_nodes(const body* b, const char* class_name);
 /* The diagonal of a node's box at rest, squared. */
 double body_size_of(const body* b, const gd_value* node);
 /* Describes a part that is found out. */
 void body_fill_part(part* p, uint32_t id, const member* m);
-/* A property as text of malloc; NULL without memory. */
-char* body_text_of(const gd_value* object, const char* property);
-/* "above/name", with another letter between; frees both; NULL without memory. */
-char* body_joined(char* above, char* name, char between);
 
 /* ---- places: places.c ---- */
 
@@ -117,8 +123,6 @@ char* body_joined(char* above, char* name, char between);
 void body_place_marked(body* b);
 /* Finds what is above each member. */
 void body_find_above(body* b);
-/* Whether a part is another, or is carried by it, over whatever is between them. */
-bool part_is_carried_by(body* b, const part* p, const part* other);
 /* Where the nodes of the parts are, in order of id: strings. Of an asset, each has the nodes of a part, and a last one
  * those of the body. */
 gd_value body_part_paths(const body* b);
@@ -162,8 +166,6 @@ dm_result part_step(body* b, part* p, dm_drag_input* input, double seconds, dm_d
 /* Takes a state over: the joint value, the pose, the nodes. */
 void part_take(body* b, part* p, const dm_drag_state* state);
 dm_result part_release(body* b, part* p, int32_t intent, dm_release_plan* out);
-/* Ends a drag and keeps where the part is. */
-void part_end(part* p);
 /* A ray of the world in the frame of what carries a part; p NULL: in the object frame. */
 dm_ray body_ray(body* b, const part* p, const double origin[3], const double direction[3]);
 /* Nearest hit of a ray of the world; distance: in the world. */

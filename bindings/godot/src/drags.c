@@ -90,14 +90,6 @@ dm_result part_release(body* b, part* p, int32_t intent, dm_release_plan* out) {
     return dm_drag_release(library_context(), p->drag, &desc, out);
 }
 
-void part_end(part* p) {
-    if (!p->drag) return;
-    dm_part_state end = dm_part_state_default();
-    if (dm_drag_end(library_context(), p->drag, &end) == DM_OK) p->state = end, p->moved = true;
-    p->drag = 0;
-    p->held = p->by_mouse = false;
-}
-
 static const struct {
     uint32_t event;
     const char* signal;

@@ -26,11 +26,6 @@ affine body_place_of(const body* b, const gd_value* node) {
     return place;
 }
 
-bool part_is_carried_by(body* b, const part* p, const part* other) {
-    while (p && p != other) p = body_part(b, p->parent);
-    return p != NULL;
-}
-
 /* How many nodes there are from the body down to one. */
 static uint32_t depth_of(const body* b, GDObjectInstanceID id) {
     uint32_t depth = 0;
