@@ -11,21 +11,14 @@ from . import native as n
 from .arrays import describe_mesh
 from .base import Unique, bytes_of, integer, text_of
 from .library import models_folder
+from .objects import Model, Object, Owned, Scene
 from .turns import Turns
-from .values import Axes, JointType, Picking, check, load, vec3
+from .values import Axes, Hint, JointType, Picking, Vector, check, hint_of, load, vec3
 
-Vector = Sequence[float]
-Hint = Tuple[Vector, Vector]
 Weights = Union[None, bytes, str, "os.PathLike[str]"]
 
 _LOG = dict(n.Log._fields_)["message"]
 _FIELDS = dict(n.ObjectDesc._fields_)
-
-
-def hint_of(drag: Hint) -> n.DragHint:
-    """(point, vector) as the struct."""
-    point, vector = drag
-    return n.DragHint(vec3(point), vec3(vector))
 
 
 def pivot_of(pivot: Tuple[Vector, Any]) -> n.Pivot:
@@ -271,6 +264,3 @@ def _part_rows(parts: Sequence[Dict[str, Any]]) -> Tuple[Any, List[Any]]:
             kept.append(pivot_of(part["pivot"]))
             row.pivot = c.pointer(kept[-1])
     return rows, kept
-
-
-from .objects import Model, Object, Owned, Scene  # noqa: E402  pylint: disable=wrong-import-position, cyclic-import

@@ -6,10 +6,10 @@ import numpy as np
 
 from . import native as n
 from .base import Unique, bytes_of, integer
-from .values import Go, vec3
+from .values import Go, Hint, Vector, hint_of, vec3
 
 if TYPE_CHECKING:
-    from .context import Context, Hint, Vector
+    from .context import Context
 
 
 def _u32(value: Any, name: str) -> int:
@@ -85,7 +85,7 @@ class Object(Owned):
         """Puts the library's own answer back in force."""
         self.call("object_reset_joint", _u32(part_id, "part_id"))
 
-    def hypotheses(self, part_id: int, drag: Optional["Hint"] = None) -> List[n.Joint]:
+    def hypotheses(self, part_id: int, drag: Optional[Hint] = None) -> List[n.Joint]:
         """Ranked joints, best first; drag=(point, vector) ranks them anew."""
         joints, count = (n.Joint * n.DM_MAX_HYPOTHESES)(), c.c_uint32()
         joints[0].struct_size = c.sizeof(n.Joint)
@@ -93,7 +93,7 @@ class Object(Owned):
         self.call("object_get_hypotheses", _u32(part_id, "part_id"), hint, joints, len(joints), c.byref(count))
         return list(joints[:count.value])
 
-    def refine(self, part_id: int, drag: "Hint") -> None:
+    def refine(self, part_id: int, drag: Hint) -> None:
         """Infers the joint again with a drag as evidence and puts the result in force."""
         self.call("object_refine", _u32(part_id, "part_id"), c.byref(hint_of(drag)))
 
@@ -105,7 +105,7 @@ class Object(Owned):
         self.call("object_save", buffer, size, c.byref(size))
         return buffer.raw[:size.value]
 
-    def motion(self, part_id: int, drag: "Hint", path: Any = None, seed: int = 0) -> "Motion":
+    def motion(self, part_id: int, drag: Hint, path: Any = None, seed: int = 0) -> "Motion":
         """The DQ-VAE's motion for a drag=(point, vector), or for the path (n x 3) a pointer drew."""
         desc = n.MotionDesc(part_id=part_id, drag=hint_of(drag), seed=seed)
         if path is not None:
@@ -127,8 +127,8 @@ class Object(Owned):
         self.call("object_follow_links", _u32(part_id, "part_id"), moved, held, len(values))
         return list(moved), [bool(one) for one in held]
 
-    def drag(self, part_id: int, grab_point: Optional["Vector"] = None, start_value: float = 0.0, keep_joint: bool = False,
-             limit_give: float = 0.0, state: Optional[n.PartState] = None, scale: Optional["Vector"] = None,
+    def drag(self, part_id: int, grab_point: Optional[Vector] = None, start_value: float = 0.0, keep_joint: bool = False,
+             limit_give: float = 0.0, state: Optional[n.PartState] = None, scale: Optional[Vector] = None,
              rules: Optional[Dict[str, Any]] = None, **feel: float) -> "Drag":
         """The player grabs the part at a point. None: at no point, to move it by a scalar or a release. state: what an
         earlier drag of this instance ended with; scale: of the instance; rules: a dict of fields of dm_drag_rules, {} for
@@ -190,7 +190,7 @@ class Drag(Owned):
     _end = "drag_end"
     _with = (None,)
 
-    def update(self, origin: "Vector", direction: "Vector", dt: float) -> n.DragState:
+    def update(self, origin: Vector, direction: Vector, dt: float) -> n.DragState:
         """The state after the pointer's ray of this frame; dt in seconds."""
         state = n.DragState()
         self.call("drag_update", c.byref(n.Ray(vec3(origin), vec3(direction))), dt, c.byref(state))
@@ -239,7 +239,7 @@ class Drag(Owned):
         self.call("drag_restore", data, len(data))
 
     def release(self, intent: int = Go.AUTO, duration: float = 0.0, seed: int = 0,
-                away_from: Optional["Vector"] = None, by_rule: bool = False) -> n.ReleasePlan:
+                away_from: Optional[Vector] = None, by_rule: bool = False) -> n.ReleasePlan:
         """The player lets go: the plan of what the part does now. advance() moves it. away_from: where the player
         stands, for a part that opens to both sides. by_rule: the same bits on every processor."""
         desc = n.ReleaseDesc(intent=intent, duration=duration, seed=seed, flags=n.DM_RELEASE_BY_RULE if by_rule else 0)
@@ -291,11 +291,8 @@ class Scene(Owned):
         """Makes moves visible to picks: once a frame."""
         self.call("scene_commit")
 
-    def pick(self, origin: "Vector", direction: "Vector") -> Optional[n.Hit]:
+    def pick(self, origin: Vector, direction: Vector) -> Optional[n.Hit]:
         """The nearest hit of a ray of the world; None: nothing is hit."""
         hit = n.Hit()
         self.call("scene_pick", c.byref(n.Ray(vec3(origin), vec3(direction))), c.byref(hit))
         return hit if hit.object else None
-
-
-from .context import hint_of  # noqa: E402  pylint: disable=wrong-import-position

@@ -8,6 +8,9 @@ import numpy as np
 from . import native as n
 from .library import open_library
 
+Vector = Sequence[float]
+Hint = Tuple[Vector, Vector]
+
 
 class JointType(enum.IntEnum):
     """How a part moves: Joint.type."""
@@ -153,6 +156,12 @@ def vec3(values: Sequence[float]) -> n.Vec3:
     """Three numbers as the struct."""
     x, y, z = values
     return n.Vec3(float(x), float(y), float(z))
+
+
+def hint_of(drag: Hint) -> n.DragHint:
+    """(point, vector) as the struct."""
+    point, vector = drag
+    return n.DragHint(vec3(point), vec3(vector))
 
 
 def joint_pose(joint: n.Joint, value: float) -> n.Pose:
