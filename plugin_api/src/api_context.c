@@ -9,7 +9,6 @@
 #include "api_object.h"
 #include "api_scene.h"
 #include "base/fp_environment.h"
-#include "base/kept.h"
 
 #define DEFAULT_KEPT ((uint64_t)32 << 20) /* bytes: what one worker needs for a prop, and the weights; by hand */
 
@@ -126,7 +125,7 @@ void DM_CALL dm_context_destroy(dm_context* context) {
     dmi_pool_destroy(context->objects);
     dmi_pool_destroy(context->models);
     if (context->picker != NULL) dmi_picker_destroy(context->picker);
-    dmi_kept_trim(&context->env);
+    dmi_env_trim(&context->env);
     dmi_env outer;
     dmi_env_init(&outer, &context->env.allocator, &context->env.log, &context->env.jobs);
     dmi_free(&outer, context, sizeof *context);
@@ -142,13 +141,13 @@ dm_result DM_CALL dm_context_get_memory(const dm_context* context, dm_memory_inf
                                  .peak_bytes = env->peak_bytes,
                                  .allocations = env->allocations,
                                  .pick_bytes = env->pick_bytes,
-                                 .kept_bytes = dmi_kept_bytes(env)};
+                                 .kept_bytes = dmi_kept_list_bytes(&env->kept)};
     dmi_write_out(out_info, &info, sizeof info);
     return DM_OK;
 }
 
 dm_result DM_CALL dm_context_trim(dm_context* context) {
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    dmi_kept_trim(&context->env);
+    dmi_env_trim(&context->env);
     return DM_OK;
 }

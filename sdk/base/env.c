@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "base/fp_environment.h"
-#include "base/kept.h"
 #include "base/utf8.h"
 
 #define MESSAGE_SIZE 512 /* bytes of a log message, longer ones are cut; by hand */
@@ -63,8 +62,7 @@ void* dmi_alloc(dmi_env* env, size_t size, size_t alignment) {
     if (size > SIZE_MAX / 2) return NULL;
     size = host_size(size);
     void* memory = env->allocator.allocate(env->allocator.user, size, alignment);
-    if (memory == NULL && dmi_kept_trim(env) > 0)
-        memory = env->allocator.allocate(env->allocator.user, size, alignment);
+    if (memory == NULL && dmi_env_trim(env) > 0) memory = env->allocator.allocate(env->allocator.user, size, alignment);
     if (memory == NULL) return NULL;
     atomic_fetch_add_explicit(&env->allocations, 1, memory_order_relaxed);
     raise_peak(env, atomic_fetch_add_explicit(&env->bytes, size, memory_order_relaxed) + size);
@@ -82,6 +80,20 @@ void dmi_free(dmi_env* env, void* memory, size_t size) {
     size = host_size(size);
     atomic_fetch_sub_explicit(&env->bytes, size, memory_order_relaxed);
     env->allocator.release(env->allocator.user, memory, size);
+}
+
+void dmi_free_blocks(dmi_env* env, dmi_kept_block* list) {
+    while (list != NULL) {
+        dmi_kept_block* block = list;
+        list = block->next;
+        dmi_free(env, block, block->size);
+    }
+}
+
+uint64_t dmi_env_trim(dmi_env* env) {
+    size_t bytes;
+    dmi_free_blocks(env, dmi_kept_list_empty(&env->kept, &bytes));
+    return bytes;
 }
 
 dm_result dmi_fail(dmi_env* env, dm_result code, const char* format, ...) {

@@ -5,18 +5,10 @@
 #include <stdatomic.h>
 
 #include "base/compiler.h"
+#include "base/kept_list.h"
 #include "dragmesh/dragmesh.h"
 
 #define DMI_ALIGNMENT 64 /* bytes, of scratch memory and large arrays: a cache line, and a vector of AVX-512 */
-
-/* Scratch memory that waits for the next call (kept.h). */
-typedef struct dmi_kept_block dmi_kept_block;
-typedef struct dmi_kept {
-    atomic_flag lock; /* a spin lock, held while the list is walked; no [frame] function takes it */
-    dmi_kept_block* blocks;
-    size_t bytes, count; /* bytes and blocks of the list */
-    size_t most;         /* bytes; 0: nothing is kept */
-} dmi_kept;
 
 typedef struct dmi_env {
     dm_allocator allocator;
@@ -24,7 +16,7 @@ typedef struct dmi_env {
     dm_jobs jobs;
     dm_progress_callback progress; /* hears of long calls; NULL: nobody asks */
     void* progress_user;
-    dmi_kept kept;
+    dmi_kept kept; /* scratch memory that waits for the next call (kept.h) */
     _Atomic uint64_t bytes, peak_bytes, allocations, pick_bytes;
 } dmi_env;
 
@@ -37,6 +29,10 @@ void* dmi_alloc(dmi_env* env, size_t size, size_t alignment);
 void* dmi_alloc_zeroed(dmi_env* env, size_t size, size_t alignment);
 /* size as given to dmi_alloc; NULL does nothing. */
 void dmi_free(dmi_env* env, void* memory, size_t size);
+/* Gives a list of kept blocks to the host. */
+void dmi_free_blocks(dmi_env* env, dmi_kept_block* list);
+/* Gives all kept memory to the host; returns how many bytes. Any thread. */
+uint64_t dmi_env_trim(dmi_env* env);
 
 /* Logs an error message and returns `code`, so that a check reads: return dmi_fail(env, DM_ERROR_..., "...", ...). */
 dm_result dmi_fail(dmi_env* env, dm_result code, const char* format, ...) DMI_PRINTF(3, 4);

@@ -9,9 +9,6 @@
 void* dmi_kept_take(dmi_env* env, size_t size, size_t* out_size);
 /* Keeps the memory within env->kept.most bytes, and gives what is left over to the host. Any thread. */
 void dmi_kept_give(dmi_env* env, void* memory, size_t size);
-/* Gives all kept memory to the host; returns how many bytes. Any thread. */
-uint64_t dmi_kept_trim(dmi_env* env);
-uint64_t dmi_kept_bytes(dmi_env* env);
 
 /* Scratch of one call, of a size that need not be told again. NULL does nothing. */
 void* dmi_scratch_alloc(dmi_env* env, size_t size);
