@@ -97,6 +97,9 @@ void world_release(world* world);
 /* Advances by dt seconds: the held part follows the pointer's ray, released ones move on. */
 void world_step(world* world, const dm_ray* ray, float dt);
 
+/* Ends the drag of a part, which stays where it is. */
+void world_end_drag(world* world, uint32_t part);
+
 /* Generates the key poses of the motion for the pull so far. */
 void world_imagine(world* world, const dm_ray* ray);
 
