@@ -8,6 +8,8 @@
 # 3. No file of sdk has "../" in an include, which would go round the include paths.
 # 4. Each room includes from the rooms in its row of premake5.lua, and from every one of them.
 # 5. No header includes itself by way of others.
+# 6. No two source files of the library or of a program call each other, and no longer circle of calls leads from a file
+#    back to it, so that every file is below those that call it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD work=$(mktemp -d)
@@ -120,5 +122,34 @@ includes sdk plugin_api samples bindings | awk -v folders="$folders" '
     }' "$work/files" - > "$work/uses"
 refuse_circles "includes" < "$work/uses"
 
+# The pairs of objects of which the first one calls the second, or reads what it has.
+calls() {
+    find "$@" -name '*.o' -print0 | sort -z | xargs -0 nm -A | awk '
+        { object = $0; sub(/:.*/, "", object); sub(/.*\//, "", object) }
+        $(NF - 1) ~ /^[TDBR]$/ { home[$NF] = object }
+        $(NF - 1) == "U" { user[++count] = object; name[count] = $NF }
+        END {
+            for (i = 1; i <= count; i++)
+                if (name[i] in home && home[name[i]] != user[i]) print user[i], home[name[i]]
+        }' | sort -u
+}
+objects() { for project; do echo "build/obj/$project/release"; done; }
+library=(dragmesh dragmesh_core dragmesh_gltf)
+for room in $rooms; do library+=("dragmesh_${room//\//_}"); done
+for folder in $(objects "${library[@]}"); do
+    compgen -G "$folder/*.o" > "$work/found" || { echo "rooms: no objects in $folder, run scripts/build" >&2; exit 1; }
+done
+calls $(objects "${library[@]}") > "$work/calls"
+refuse_circles "calls in the library" < "$work/calls"
+for folder in build/obj/{dragmesh_cli,dragmesh_viewer,dragmesh_lab,dragmesh_generate,dragmesh_generator,sample_*}/release; do
+    [ -d "$folder" ] || continue # a program whose library is missing, or one that was not asked for
+    calls "$folder" > "$work/calls"
+    refuse_circles "calls in $folder" < "$work/calls"
+done
+mkdir "$work/godot"
+(cd "$work/godot" && ${CC:-gcc} -std=c17 -c -I"$root/plugin_api/include" -I"$root/third_party" "$root"/bindings/godot/src/*.c)
+calls "$work/godot" > "$work/calls"
+refuse_circles "calls in bindings/godot" < "$work/calls"
+
 [ "$problems" = 0 ] || exit 1
-echo "rooms: $(wc -w <<< "$rooms") rooms, $(wc -l < "$work/edges") allowed directions, none both ways"
+echo "rooms: $(wc -w <<< "$rooms") rooms, $(wc -l < "$work/edges") allowed directions, none both ways, no circle of files"
