@@ -327,7 +327,7 @@ end
 local generator = "training/generator"
 if not cross then
     library("dragmesh_generator", { "training/generator/**.c" },
-        { api, generator, include_folder("dragmesh_generator", "sdk", { "base", "math", "mesh", "kinematics/hints" }) })
+        { api, generator, include_folder("dragmesh_generator", "sdk", { "kinematics/hints" }) })
     -- Its files are most of a newcomer's build and run for milliseconds: -O1, which comes last, halves their time.
     filter "configurations:release"
         buildoptions { "-O1" }

@@ -6,8 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "mesh/gltf/gltf_hints.h"
 #include "mesh/gltf/gltf_instance.h"
-#include "mesh/gltf/gltf_pivots.h"
 #include "mesh/gltf/gltf_skin.h"
 
 /* An object this many times its size away from the scene's origin gets an origin of its own: a float there holds a
