@@ -2,27 +2,10 @@
 #include "encoder.h"
 
 #if defined(__x86_64__) && defined(__linux__)
-#include <cpuid.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 
-#include "base/cpu.h"
 #include "encoder_state.h"
-
-enum { ARCH_REQ_XCOMP_PERM = 0x1023, TILE_DATA = 18 }; /* of Linux: a process asks before it uses tiles */
-
-int lab_encoder_has_tiles;
-
-int dm_lab_encoder_available(void) {
-    unsigned a, b, c, d, more;
-    if (dmi_cpu_best_isa() != DMI_ISA_AVX512 || !__get_cpuid_count(7, 0, &a, &b, &c, &d)) return 0;
-    if (!__get_cpuid_count(7, 1, &more, &b, &c, &a)) return 0;
-    const int tiles = d >> 24 & 1, tiles_of_bf16 = d >> 22 & 1, registers_of_bf16 = more >> 5 & 1;
-    lab_encoder_has_tiles = tiles && tiles_of_bf16 && syscall(SYS_arch_prctl, ARCH_REQ_XCOMP_PERM, TILE_DATA) == 0;
-    return registers_of_bf16;
-}
 
 static void* make_zeros(size_t bytes) {
     void* memory = aligned_alloc(64, (bytes + 63) / 64 * 64);
@@ -130,10 +113,6 @@ TARGET void dm_lab_encoder_backward(dm_lab_encoder* encoder, uint32_t count, con
 }
 
 #else
-int dm_lab_encoder_available(void) {
-    return 0;
-}
-
 dm_lab_encoder* dm_lab_encoder_make(uint32_t tokens, uint32_t layers, uint32_t batch) {
     (void)tokens, (void)layers, (void)batch;
     return NULL;
