@@ -1,6 +1,6 @@
 /* The surface points of a part and of the body near it that the motion network reads. */
-#ifndef DMI_OBJECT_PART_POINTS_H
-#define DMI_OBJECT_PART_POINTS_H
+#ifndef DMI_MESH_PART_POINTS_H
+#define DMI_MESH_PART_POINTS_H
 
 #include "mesh/cloud.h"
 

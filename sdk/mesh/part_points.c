@@ -1,4 +1,4 @@
-#include "kinematics/object/part_points.h"
+#include "mesh/part_points.h"
 
 #include <math.h>
 
