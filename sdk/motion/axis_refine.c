@@ -10,12 +10,13 @@
 #include "math/vec3.h"
 #include "motion/hand_likelihood.h"
 
-#define ACTIVE_EVERY 3           /* rounds: the active hypothesis is shown, so it is refined more often; by hand */
-#define SHIFT_DEVIATION 0.1f     /* standard deviation of a shift, share of the part's size; fitted */
-#define EXACT_LINE_LOG_ODDS 1.6f /* that a line is exactly where geometry has it; surer joints more; fitted */
-#define MIN_RAYS 4               /* recorded rays that determine a line's place; by hand */
-#define SHIFT_MARGIN 0.4f        /* log ratio by which a shifted line must be more probable; fitted */
-#define WAITING_BONUS 0.05f      /* log likelihood that a hypothesis may gain in a round without refinement; fitted */
+#define ACTIVE_EVERY 3       /* rounds: the active hypothesis is shown, so it is refined more often; by hand */
+#define SHIFT_DEVIATION 0.1f /* standard deviation of a shift, share of the part's size; fitted */
+/* Log odds that a line is exactly where geometry has it; a surer joint has more; fitted. */
+#define EXACT_LINE_LOG_ODDS 1.6f
+#define MIN_RAYS 4          /* recorded rays that determine a line's place; by hand */
+#define SHIFT_MARGIN 0.4f   /* log ratio by which a shifted line must be more probable; fitted */
+#define WAITING_BONUS 0.05f /* log likelihood that a hypothesis may gain in a round without refinement; fitted */
 
 void dmi_axis_refiner_init(dmi_axis_refiner* refiner) {
     *refiner = (dmi_axis_refiner){.hypothesis = DMI_NO_HYPOTHESIS};

@@ -13,13 +13,14 @@
 typedef struct dmi_axis_refiner {
     dmi_pull_fit fit;
     uint32_t hypothesis; /* being refined; DMI_NO_HYPOTHESIS: none */
-    uint32_t thinned;    /* of the pull when the fit began */
+    uint32_t thinned;    /* the pull's `thinned` when the fit began */
     bool shifted;        /* second pass, with the shifted line */
-    float shift[2];      /* under test, in part sizes */
-    float shift_cost;    /* its negative log prior */
+    float shift[2];      /* the shift under test, in part sizes */
+    float shift_cost;    /* negative log prior of that shift */
     float unshifted_log_posterior;
-    float priority[DMI_TRACKED_HYPOTHESES]; /* last log posterior and a bonus for waiting: who is refined next */
-    uint32_t rounds;                        /* hypotheses refined so far */
+    /* Last log posterior plus a bonus for waiting; the highest is refined next. */
+    float priority[DMI_TRACKED_HYPOTHESES];
+    uint32_t rounds; /* hypotheses refined so far */
 } dmi_axis_refiner;
 
 void dmi_axis_refiner_init(dmi_axis_refiner* refiner);

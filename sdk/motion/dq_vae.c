@@ -33,7 +33,7 @@ typedef struct scratch {
     float along[DM_MOTION_FRAMES][VAE_ALONG];
     float context[VAE_CONTEXT]; /* f_local, f_joint, f_motion */
     float gate[VAE_CONTEXT], gated[VAE_CONTEXT];
-    float inputs[VAE_CONTEXT], hidden[VAE_CONTEXT]; /* of the current layer */
+    float inputs[VAE_CONTEXT], hidden[VAE_CONTEXT]; /* inputs and hidden units of the current layer */
     float latent[2 * DMI_VAE_LATENT];
     float condition[VAE_WIDTH];
     dmi_vae_films films;
@@ -42,15 +42,15 @@ typedef struct scratch {
 
 /* Offsets of the parts of a layer's input. */
 enum {
-    F_LOCAL = 0, /* of the context */
+    F_LOCAL = 0, /* offsets in the context */
     F_JOINT = VAE_FEATURE,
     F_MOTION = 2 * VAE_FEATURE,
-    JOINT_ORIGIN = VAE_SMALL, /* of the joint encoder, after the axis */
+    JOINT_ORIGIN = VAE_SMALL, /* offset in the joint encoder's input, after the axis */
     JOINT_SCALARS = 2 * VAE_SMALL,
-    INTENT_VELOCITY = VAE_SMALL, /* of the intent encoder, after the direction or the chords */
+    INTENT_VELOCITY = VAE_SMALL, /* offset in the intent encoder's input, after the direction or the chords */
     INTENT_AMPLITUDE = 2 * VAE_SMALL,
     INTENT_PATH = 3 * VAE_SMALL,
-    NEAR_DRAG = VAE_FEATURE, /* of the local sampler, after the features near the origin */
+    NEAR_DRAG = VAE_FEATURE, /* offset in the local sampler's input, after the features near the origin */
     WHOLE = 2 * VAE_FEATURE
 };
 

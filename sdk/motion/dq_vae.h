@@ -28,7 +28,7 @@ typedef struct dmi_vae_query {
     float drag_point[3];
     float drag_vector[3];
     float path[DMI_VAE_PATH][3]; /* where the pointer moved the drag point; [0] = drag_point */
-    uint32_t seed;               /* 0: z = mu */
+    uint32_t seed;               /* 0 takes z = mu */
 } dmi_vae_query;
 
 typedef struct dmi_vae_output {
@@ -42,7 +42,7 @@ void dmi_dq_vae_prepare(const dmi_dq_vae* vae, dmi_isa isa, const dmi_part_point
 /* The part of dmi_dq_vae_prepare that needs no weights: xyz and mask. Training calls it too. */
 void dmi_vae_object_points(const dmi_part_points* points, dmi_vae_object* out_object);
 size_t dmi_dq_vae_scratch_size(const dmi_dq_vae* vae);
-/* scratch: 64-byte aligned. No allocation. */
+/* Runs the network. scratch: 64-byte aligned memory. The function allocates nothing. */
 void dmi_dq_vae_forward(const dmi_dq_vae* vae, dmi_isa isa, const dmi_vae_object* object, const dmi_vae_query* query,
                         void* scratch, dmi_vae_output* out_output);
 
@@ -51,7 +51,7 @@ typedef struct dmi_vae_features {
     float joint_scalars[3]; /* pitch, lower, upper, each clamped to [-4, 4] */
     float rotation_direction[3];
     float mean_velocity[3];
-    float chords[9];             /* from the first path point to every fifth */
+    float chords[9];             /* vectors from the first path point to every fifth */
     float amplitude[2];          /* joint value at the end, length of the path */
     float path[DMI_VAE_PATH][5]; /* offset from the start, joint value, residual */
 } dmi_vae_features;

@@ -1,4 +1,4 @@
-/* The DQ-VAE's layers in memory; what does not depend on a query is folded when they are loaded. */
+/* The DQ-VAE's layers in memory. What does not depend on a query is folded when they are loaded. */
 #ifndef DMI_MOTION_DQ_VAE_NET_H
 #define DMI_MOTION_DQ_VAE_NET_H
 
@@ -41,8 +41,8 @@ struct dmi_dq_vae {
     dmi_arena arena;
 
     dmi_mlp joint_axis, joint_origin;
-    dmi_linear joint_fuse;            /* of [axis, origin, scalars], without bias … */
-    float (*joint_bias)[VAE_FEATURE]; /* … which a type's embedding gives */
+    dmi_linear joint_fuse;            /* layer over [axis, origin, scalars]; it has no bias … */
+    float (*joint_bias)[VAE_FEATURE]; /* … because a type's embedding gives it */
     dmi_linear joint_out;
     dmi_linear films; /* f_joint -> dmi_vae_films */
 
@@ -60,14 +60,14 @@ struct dmi_dq_vae {
     dmi_mlp encoder;
 
     float (*tokens)[VAE_WIDTH]; /* decoder.input of the frames' positions */
-    dmi_linear condition;       /* … of [z, f_joint], both its uses of f_joint summed; no bias */
+    dmi_linear condition;       /* decoder.input over [z, f_joint], both its uses of f_joint summed; it has no bias */
     dmi_transformer layers[VAE_LAYERS];
     dmi_norm norm;
     dmi_mlp head;
 
-    dmi_linear correction_joint;           /* of [f_joint, axis], both uses of each summed; without bias … */
-    float (*correction_bias)[VAE_FEATURE]; /* … which a type's embedding gives */
-    dmi_linear correction_base;            /* of a frame's base; without bias */
+    dmi_linear correction_joint; /* layer over [f_joint, axis], both uses of each summed; it has no bias … */
+    float (*correction_bias)[VAE_FEATURE]; /* … because a type's embedding gives it */
+    dmi_linear correction_base;            /* layer over a frame's base; it has no bias */
     dmi_linear correction_out;             /* its bias holds the identity pose too */
     dmi_linear along;                      /* turn and slide on the axis */
 };

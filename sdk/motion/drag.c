@@ -1,6 +1,7 @@
-/* One drag, update by update: pointer ray -> joint value it asks for (follow.h), rate-limited where that is ill-posed
- * -> feel (drag_feel.h) -> joint value, held back by the host's rules (drag_bounds.h). The hypothesis tracker chooses
- * the joint meanwhile; after the release the plan moves the part (drag_release.h). */
+/* One drag, update by update. The pointer's ray asks for a joint value (follow.h), which moves at a limited rate where
+ * that is ill-posed. The feel (drag_feel.h) makes a joint value of it, and the host's rules (drag_bounds.h) hold that
+ * back. The hypothesis tracker chooses the joint meanwhile. After the release the plan moves the part
+ * (drag_release.h). */
 #include "motion/drag_pointer.h"
 
 #include <math.h>
@@ -29,7 +30,7 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
     drag->asked = drag->target;
     memcpy(drag->point, grab_point, sizeof drag->point);
     if (drag->value == start_value) return;
-    const dm_pose inside = dmi_joint_pose(joint, drag->value); /* it stands outside its limits */
+    const dm_pose inside = dmi_joint_pose(joint, drag->value); /* the same value inside the joint's limits */
     drag->blend = dmi_pose_blend_same_joint(&pose, &inside);
 }
 
@@ -64,14 +65,14 @@ static float time_of(float dt) {
     return dt >= SHORTEST_TIME && isfinite(dt) ? dmi_fminf(dt, DMI_LARGEST_TIME) : 0;
 }
 
-/* Before the hand is read. */
+/* Begins an update, before the hand is read. */
 static void begin_update(dmi_drag* drag, float time) {
     drag->pending.open = false;
     drag->blend.age += time;
     if (drag->rules.on) dmi_drag_note_start(drag);
 }
 
-/* ray: of a plain pointer; NULL when there is none, or when dmi_drag_aim has read the hands. */
+/* Ends an update. ray: the ray of a plain pointer; NULL when there is none, or when dmi_drag_aim has read the hands. */
 static void finish_update(dmi_drag* drag, const dm_ray* ray, float time, dm_drag_state* out_state) {
     if (drag->release.phase == DM_DRAG_HELD) {
         update_held(drag, ray, time);
@@ -83,7 +84,7 @@ static void finish_update(dmi_drag* drag, const dm_ray* ray, float time, dm_drag
     write_state(drag, out_state);
 }
 
-/* A hand takes hold in another way: its offset is measured anew. */
+/* Changes how a hand holds the part. Its offset is measured anew. */
 static void change_hand(dmi_drag* drag, int32_t kind) {
     const dm_vec3 none = {0, 0, 0};
     if (drag->hands.kind != DM_HAND_NONE) drag->last_ray.direction = drag->grab_offset = none;
@@ -98,7 +99,7 @@ void dmi_drag_update(dmi_drag* drag, const dm_ray* ray, float dt, dm_drag_state*
     finish_update(drag, ray, time, out_state);
 }
 
-/* Whether an input has more than the one pointer that dmi_drag_update follows. */
+/* Returns whether an input has more than the one pointer that dmi_drag_update follows. */
 static bool needs_aim(const dmi_drag* drag, const dm_drag_input* input) {
     return drag->release.phase == DM_DRAG_HELD &&
            (input->hand.kind > DM_HAND_RAY || input->second.kind != DM_HAND_NONE || drag->hands.second.on ||
@@ -110,7 +111,8 @@ static void tell(dmi_drag* drag, const dm_drag_input* input) {
         drag->constraints.bounds = (dmi_bounds){input->lower, input->upper};
     drag->constraints.locked = (input->flags & DM_INPUT_LOCKED) != 0;
     memcpy(drag->constraints.handles, input->handles, sizeof drag->constraints.handles);
-    if (input->hand.kind == DM_HAND_NONE && drag->hands.kind == DM_HAND_RATE) drag->hands.pressed = 0; /* let go of */
+    if (input->hand.kind == DM_HAND_NONE && drag->hands.kind == DM_HAND_RATE)
+        drag->hands.pressed = 0; /* the key has been let go of */
     if (input->hand.kind != DM_HAND_NONE && input->hand.kind != drag->hands.kind) change_hand(drag, input->hand.kind);
 }
 
@@ -133,7 +135,7 @@ void dmi_drag_step(dmi_drag* drag, const dm_drag_input* input, float dt, dm_drag
     drag->constraints = unconstrained;
 }
 
-/* Another value than that of the plan holds a released part up, also one that has just arrived. */
+/* Puts the part at another value than the plan's. That holds a released part up, also one that has just arrived. */
 static void take_instead(dmi_drag* drag, float value) {
     const dmi_pending_value* pending = &drag->pending;
     const bool same_joint = drag->changes == pending->event_state.changes;

@@ -14,10 +14,10 @@ static const float eye_directions[DMI_HAND_EYES][3] = {{0.66f, 0.53f, 0.53f}, {-
 
 /* ---- the first hand ---- */
 
-/* What a hand asks for. */
+/* What a hand asks for in one update. */
 typedef struct wish {
     float value;  /* joint value */
-    float motion; /* of the hand since the last update, host units */
+    float motion; /* way of the hand since the last update, host units */
     float weight; /* squared speed of what it holds, host units a unit of the joint value */
 } wish;
 
@@ -42,7 +42,7 @@ static void show_to_tracker(dmi_drag* drag, float nearest) {
     drag->projection = of_rays;
 }
 
-/* The vector from a hand in space to the grabbed point stays as in its first update. */
+/* Returns what a hand in space asks for. The vector from the hand to the grabbed point stays as in its first update. */
 static wish wish_of_point(dmi_drag* drag, const dm_hand* hand) {
     dmi_hands* hands = &drag->hands;
     const dmi_float3 given = dmi_xyz(hand->point);
@@ -115,14 +115,14 @@ static void follow_hands(dmi_drag* drag, const dm_drag_input* input, float dt) {
         const float weight = all.weight + second.weight;
         if (weight > 0) all.value = (all.weight * all.value + second.weight * second.value) / weight;
         all.motion += second.motion;
-    } else if (hands->second.on) { /* it has let go: the first one holds on where the part is */
+    } else if (hands->second.on) { /* the second hand has let go, and the first one holds on where the part is */
         hands->second.on = false;
         if (first.weight > 0) hands->bias = drag->pointer_value - first.value;
         all.value = drag->pointer_value;
     }
     dmi_drag_move_pointer(drag, all.value, all.motion, dt);
     dmi_drag_ask(drag);
-    if (hands->second.on || hands->bias != 0) return; /* of two hands, neither shows the joint */
+    if (hands->second.on || hands->bias != 0) return; /* neither of two hands shows the joint */
     if (input->hand.kind == DM_HAND_POINT) show_to_tracker(drag, first.value);
     if (input->hand.kind == DM_HAND_RAY && first.weight > 0) dmi_drag_track(drag, first.value, &ray);
 }
@@ -138,8 +138,8 @@ static float clamp_to_span(dmi_span span, float value) {
     return dmi_fminf(dmi_fmaxf(value, span.lower), span.upper);
 }
 
-/* Returns a pointer value inside those of the limits. Estimated ones stop a scalar at first, and give, as to a pull,
- * when it asks for more: a rate for PRESS_TIME, a wheel by one step more. */
+/* Returns a pointer value inside those of the limits. Estimated limits stop a scalar at first. They give when it asks
+ * for more, as they do to a pull: to a rate after PRESS_TIME, to a wheel by one step more. */
 static float inside_limits(dmi_drag* drag, const dm_hand* hand, float value, float dt) {
     const dmi_span limits = drag->pointer_span;
     const float before = drag->pointer_value, stop = clamp_to_span(limits, value), pressed = drag->hands.pressed;
@@ -147,7 +147,8 @@ static float inside_limits(dmi_drag* drag, const dm_hand* hand, float value, flo
     if (!drag->limits_are_estimates || stop == value || hand->kind == DM_HAND_VALUE) return stop;
     const bool gives = before != clamp_to_span(limits, before) || (hand->kind == DM_HAND_STEP && pressed > 0);
     if (!gives) {
-        const float beyond = dt * (value - stop) / (value - before); /* s of this update */
+        /* s of this update that the value was beyond the stop. */
+        const float beyond = dt * (value - stop) / (value - before);
         drag->hands.pressed = hand->kind == DM_HAND_STEP ? PRESS_TIME : pressed + beyond;
         if (hand->kind == DM_HAND_STEP || drag->hands.pressed <= PRESS_TIME) return stop;
         value = stop + (value - stop) * dmi_fminf((drag->hands.pressed - PRESS_TIME) / beyond, 1);

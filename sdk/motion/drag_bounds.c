@@ -8,11 +8,11 @@
 #include "math/elementary.h"
 #include "math/linear3.h"
 
-/* By hand. */
+/* The values are set by hand. */
 #define STOP_HALF_LIFE 0.02f    /* s in which half of the way to a bound is made at most, and half of the way back */
 #define CATCH_UP_HALF_LIFE 0.1f /* s in which a part that is free again makes up for half of what it is behind */
-#define HELD_SHARE 0.005f       /* of the range: held by a bound this near … */
-#define FREE_SHARE 0.02f        /* … and free of it again this far */
+#define HELD_SHARE 0.005f       /* share of the range; a bound this near holds the part … */
+#define FREE_SHARE 0.02f        /* … and a part this far from it is free again */
 
 float dmi_bounds_clamp(dmi_bounds bounds, float value) {
     return dmi_fminf(dmi_fmaxf(value, bounds.lower), bounds.upper);
@@ -63,12 +63,13 @@ bool dmi_limit_step(const dmi_rules* rules, dmi_bounds bounds, float before, flo
                     float* inout_value, float* inout_velocity) {
     const bool slowed = limit_speed(rules, before, speed_before, dt, inout_value, inout_velocity);
     const bool held = limit_to_bounds(bounds, before, dt, inout_value, inout_velocity);
-    *inout_velocity = dmi_clamp_within(*inout_velocity, DMI_LARGEST_RATE); /* a very short step gives a larger one */
+    /* A very short step could give a larger velocity. */
+    *inout_velocity = dmi_clamp_within(*inout_velocity, DMI_LARGEST_RATE);
     return slowed || held;
 }
 
 float dmi_catch_up(float asked, float last, float lag, float dt) {
     const float gap = last - asked;
-    if (!(gap * lag > 0)) return asked; /* it is there, or the hand has come back past it */
+    if (!(gap * lag > 0)) return asked; /* the target has arrived, or the hand has come back past it */
     return asked + copysignf(dmi_fminf(fabsf(gap), fabsf(lag)), lag) * dmi_exp2f(-dt / CATCH_UP_HALF_LIFE);
 }

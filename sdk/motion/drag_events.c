@@ -5,12 +5,13 @@
 
 #include "math/elementary.h"
 
-/* By hand; documented at DM_EVENT_*. */
-#define NEAR_SHARE 0.005f      /* of the range: at a limit or at rest within */
-#define FAR_SHARE 0.02f        /* of the range: away from it beyond */
-#define RIDGE 0.55f            /* of the way to the next detent: past the ridge between both */
-#define PEAK_HALF_LIFE 0.1f    /* s: a part that comes softly to a stop was as fast as this long before */
-#define MAX_DETENTS 1000000.0f /* of one update, so that the count is one */
+/* The values are set by hand, and documented at DM_EVENT_*. */
+#define NEAR_SHARE 0.005f /* share of the range; within it a part is at a limit or at rest */
+#define FAR_SHARE 0.02f   /* share of the range; beyond it a part is away from the limit or from rest */
+#define RIDGE 0.55f /* share of the way to the next detent; beyond it the part has passed the ridge between both */
+/* Half-life of the peak speed, s: a part that comes softly to a stop was as fast as this long before. */
+#define PEAK_HALF_LIFE 0.1f
+#define MAX_DETENTS 1000000.0f /* most detents counted in one update, so that a float holds their number */
 
 /* Returns the limit that the value is at, given the one that it was at. */
 static int32_t limit_at(const dmi_event_input* now, int32_t was) {
@@ -47,7 +48,8 @@ dmi_event_state dmi_event_state_begin(const dmi_event_input* now) {
 static void find_limit_events(dmi_event_state* state, const dmi_event_input* now) {
     const int32_t was = state->limit;
     state->limit = limit_at(now, now->struck != 0 ? now->struck : was);
-    const int32_t met = now->struck != 0 && was != now->struck ? now->struck : state->limit; /* it may be off again */
+    /* A part that has met a limit may have left it within the same update. */
+    const int32_t met = now->struck != 0 && was != now->struck ? now->struck : state->limit;
     if (met == was || met == 0) return;
     state->events |= met > 0 ? DM_EVENT_LIMIT_UPPER : DM_EVENT_LIMIT_LOWER;
     state->impact = dmi_fmaxf(state->peak_speed, now->impact);
@@ -65,7 +67,7 @@ static void find_rest_events(dmi_event_state* state, const dmi_event_input* now)
     state->events |= open ? DM_EVENT_OPENED : DM_EVENT_CLOSED;
 }
 
-/* A bounce within the update has been at the limit, wherever the part is by its end. */
+/* Finds the limit that a bounce has met within the update, wherever the part is by its end. */
 static void find_bounce_events(dmi_event_state* state, const dmi_event_input* now) {
     dmi_event_input there = *now;
     if (now->struck == 0) return;
@@ -75,10 +77,12 @@ static void find_bounce_events(dmi_event_state* state, const dmi_event_input* no
 
 static void find_detent_events(dmi_event_state* state, const dmi_event_input* now) {
     const float place = place_of(now);
-    if (now->changes != state->changes) state->catch_index = roundf(place); /* of another joint: none was crossed */
+    if (now->changes != state->changes)
+        state->catch_index = roundf(place); /* the detents are another joint's, so none was crossed */
     if (!(fabsf(place - state->catch_index) > RIDGE)) return;
     const float was = state->catch_index, is = roundf(place), snaps = (float)now->rules->snaps.count;
-    const float first = snaps > 0 ? 0 : -INFINITY, last = snaps > 0 ? snaps - 1 : INFINITY; /* beyond there is none */
+    const float first = snaps > 0 ? 0 : -INFINITY,
+                last = snaps > 0 ? snaps - 1 : INFINITY; /* there are no places beyond these */
     const float passed =
         is > was ? dmi_fminf(is, last) - dmi_fmaxf(was, first - 1) : dmi_fminf(was, last + 1) - dmi_fmaxf(is, first);
     state->catch_index = is;

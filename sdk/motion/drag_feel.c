@@ -10,9 +10,9 @@
 #define DEFAULT_SMOOTHING_TIME 0.02f /* s, half-life; by hand: hides a mouse's pixels */
 #define DEFAULT_COAST_TIME 0.1f      /* s, half-life; by hand */
 #define DEFAULT_DETENT_PULL 0.7f     /* share of full strength; by hand */
-#define MAX_SOFT_SHARE 0.5f          /* of the range: both soft zones then meet in the middle */
+#define MAX_SOFT_SHARE 0.5f          /* share of the range; both soft zones meet in the middle then */
 #define DEAD_ZONE 0.01f              /* share of the range by which an estimated limit holds; by hand */
-#define BISECTIONS 40                /* of an interval of two detents: below a float's rounding */
+#define BISECTIONS 40                /* halvings of an interval of two detents, which end below a float's rounding */
 #define SERIES_BELOW 0.01f           /* (1 - exp(-k)) / k as a series below this k: error under 5e-8 */
 #define LIMIT_BELOW 1e-4             /* rad: sin(x) / x counts as 1 below, sinh(x) / x as cosh(x): off by 3e-9 */
 
@@ -144,7 +144,7 @@ void dmi_feel_follow(const dm_drag_feel* feel, const dm_joint* joint, float befo
         value = (double)follow_first_order(rate, before, target, dt, old);
     }
     *inout_value = dmi_joint_clamp(joint, (float)value);
-    if ((double)*inout_value != (double)(float)value) velocity = 0; /* stopped by a limit */
+    if ((double)*inout_value != (double)(float)value) velocity = 0; /* a limit has stopped it */
     if (!(feel->coast_time > 0) || !(half > 0)) velocity = (double)((*inout_value - old) / dt);
     if (dt > 0) *inout_velocity = (float)velocity;
 }

@@ -1,5 +1,5 @@
 /* How a drag feels (dm_drag_feel): soft ends, detents, stiffness, damping and inertia between the pointer and the joint
- * value. "Pointer value" is what the pointer asks for, "target" what the part is asked for. */
+ * value. The pointer value is what the pointer asks for. The target is what the part is asked for. */
 #ifndef DMI_MOTION_DRAG_FEEL_H
 #define DMI_MOTION_DRAG_FEEL_H
 
@@ -9,18 +9,18 @@
 float dmi_feel_soft_width(const dm_drag_feel* feel, const dm_joint* joint);
 /* Maps a pointer value into the limits and towards the detents; monotone. */
 float dmi_feel_target(const dm_drag_feel* feel, const dm_joint* joint, float pointer_value);
-/* The same for estimated limits, which a longer pull exceeds: a dead zone takes the place of an end. closed: the joint
- * value from which detents are spaced. */
+/* Does the same for estimated limits, which a longer pull exceeds. A dead zone takes the place of an end. closed: the
+ * joint value from which detents are spaced. */
 float dmi_feel_soft_target(const dm_drag_feel* feel, float closed, float lower, float upper, float pointer_value);
 /* Inverse of dmi_feel_target: returns a pointer value with this target. */
 float dmi_feel_pointer_value(const dm_drag_feel* feel, const dm_joint* joint, float target);
-/* The same of dmi_feel_soft_target, for targets inside the limits. */
+/* Returns the inverse of dmi_feel_soft_target, for targets inside the limits. */
 float dmi_feel_soft_pointer_value(const dm_drag_feel* feel, float closed, float target);
 /* Returns the detent nearest to a value, inside the limits; the value itself without detents. */
 float dmi_feel_nearest_detent(const dm_drag_feel* feel, const dm_joint* joint, float value);
 /* Returns how hard detents and snap values hold, 0 to 1. */
 float dmi_feel_detent_pull(const dm_drag_feel* feel);
-/* Returns the half-life of a free part's velocity, s; 0: it stops at once. */
+/* Returns the half-life of a free part's velocity, s. With 0 it stops at once. */
 float dmi_feel_coast_time(const dm_drag_feel* feel);
 
 /* Moves value and velocity by dt seconds towards a target that went evenly from `before` to `target`: the closed-form

@@ -7,9 +7,9 @@
 #include "base/number_bounds.h"
 #include "math/elementary.h"
 
-#define MAX_BOUNCES 16        /* of one step, then it stays at the limit; by hand */
-#define SETTLED_SHARE 0.002f  /* of the range: a bounce that does not rise higher is none; by hand */
-#define STANDING_SHARE 0.002f /* of the range: a glide that has no farther to go stands; by hand */
+#define MAX_BOUNCES 16        /* bounces of one step; after them the part stays at the limit; by hand */
+#define SETTLED_SHARE 0.002f  /* share of the range; a bounce that does not rise higher counts as none; by hand */
+#define STANDING_SHARE 0.002f /* share of the range; a glide that has no farther to go stands; by hand */
 
 /* A part on its way to one limit: distance to it, and speed towards it. */
 typedef struct approach {
@@ -40,7 +40,7 @@ static void move(const dmi_flight* flight, float time, float* value, float* velo
     *velocity *= kept;
 }
 
-/* Whether a part that leaves a limit at this speed comes to rest there. */
+/* Returns whether a part that leaves a limit at this speed comes to rest there. */
 static bool settles(const dmi_flight* flight, int32_t side, float speed) {
     const float range = flight->upper - flight->lower, pull = flight->acceleration * (float)side;
     if (flight->acceleration != 0) return pull > 0 && speed * speed < 2 * pull * SETTLED_SHARE * range;
@@ -83,7 +83,8 @@ float dmi_flight_end(const dmi_flight* flight, float value, float velocity) {
         const float end = value + velocity * flight->time_constant;
         if (end >= flight->lower && end <= flight->upper) return end;
         const float limit = end > flight->upper ? flight->upper : flight->lower;
-        velocity = -flight->restitution * (end - limit) / flight->time_constant; /* what is left of it there */
+        /* The speed that is left when it reaches the limit, after the bounce. */
+        velocity = -flight->restitution * (end - limit) / flight->time_constant;
         value = limit;
     }
     return value;

@@ -5,8 +5,8 @@
 #include "motion/follow.h"
 #include "motion/follow_point.h"
 
-/* A hand in space is shown to the hypothesis tracker, which knows rays, from as many sides in turn, so that no motion
- * is end on in all. */
+/* Number of eyes from which a hand in space is shown to the hypothesis tracker, in turn. The tracker knows only rays,
+ * and from two sides no motion is end on in all. */
 #define DMI_HAND_EYES 2
 
 /* A second hand on the part. */
@@ -21,11 +21,11 @@ typedef struct dmi_second_hand {
 typedef struct dmi_hands {
     int32_t kind;    /* DM_HAND_* of the last update; POINT: `point` holds */
     bool has_offset; /* offset is known */
-    float offset[3]; /* from the hand in space to the point that it grabbed */
-    float point[3];  /* of the hand in space, offset added */
+    float offset[3]; /* vector from the hand in space to the point that it grabbed */
+    float point[3];  /* place of the hand in space, with the offset added */
     float bias;      /* joint value that is added to what the first hand asks for, since a second one has gone */
-    float pressed;   /* s for which a scalar has asked for more at an estimated limit; 0 = it does not */
-    uint32_t eye;    /* of the next ray that the hypothesis tracker gets from a hand in space */
+    float pressed;   /* s for which a scalar has asked for more at an estimated limit; 0: it does not */
+    uint32_t eye;    /* eye of the next ray that the hypothesis tracker gets from a hand in space */
     dmi_second_hand second;
 } dmi_hands;
 

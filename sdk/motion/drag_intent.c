@@ -6,12 +6,13 @@
 #include "math/constants.h"
 #include "math/elementary.h"
 
-/* By hand, with the releases of tests/unit/test_drag_release.c; docs/feel.md. */
-#define LOOK_AHEAD 0.2f      /* s: the part is taken to be where its velocity carries it in this time */
-#define THROWN_SHARE 0.35f   /* of the range travelled in LOOK_AHEAD: thrown, not just let go */
-#define NEAR_END_SHARE 0.12f /* of the range: as good as at the end */
-#define HALF_WAY 0.5f        /* of the way to an open end: a part beyond is open */
-#define AT_STOP_SHARE 0.05f  /* of the range: where it is closed and a limit are the same */
+/* The values are set by hand, with the releases of tests/unit/test_drag_release.c; docs/feel.md. */
+#define LOOK_AHEAD 0.2f /* s: the part is taken to be where its velocity carries it in this time */
+/* Share of the range travelled in LOOK_AHEAD; a part that goes farther was thrown, not just let go. */
+#define THROWN_SHARE 0.35f
+#define NEAR_END_SHARE 0.12f /* share of the range; a part this near is as good as at the end */
+#define HALF_WAY 0.5f        /* share of the way to an open end; a part beyond it is open */
+#define AT_STOP_SHARE 0.05f  /* share of the range; a closed place this near to a limit is the same as the limit */
 
 static float range_of(const dm_joint* joint) {
     return joint->upper - joint->lower;
@@ -77,7 +78,7 @@ bool dmi_released_closes_itself(const dmi_released_part* part) {
            dmi_released_rules(part)->auto_close_share;
 }
 
-/* Returns the intent by the part's rules; DM_INTENT_AUTO: they say nothing. */
+/* Returns the intent by the part's rules, or DM_INTENT_AUTO when they decide nothing. */
 static int32_t intent_by_rules(const dmi_released_part* part, float return_time) {
     const dmi_rules* rules = dmi_released_rules(part);
     float snap;

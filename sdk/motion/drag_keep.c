@@ -1,10 +1,10 @@
-/* The rules' part of an update: between what the hand asks for and the feel, and after the step that the feel or the
- * plan of a release has made. Apart from drag.c, so that drags without rules do not pay for it. */
+/* Applies the rules in an update: between what the hand asks for and the feel, and after the step that the feel or the
+ * plan of a release has made. They are kept out of drag.c, so that drags without rules do not pay for them. */
 #include <math.h>
 
 #include "motion/drag_internal.h"
 
-#define ARRIVED_SHARE 1e-4f /* of the range: a released part is where its plan ends */
+#define ARRIVED_SHARE 1e-4f /* share of the range; a released part this near is where its plan ends */
 #define SWING_BACK 0.02f /* range a second: a part in the hand that would come back slower than this stays; by hand */
 
 void dmi_drag_set_rules(dmi_drag* drag, const dmi_rules* rules) {
@@ -59,7 +59,7 @@ static void limit_step(dmi_drag* drag, float dt) {
     drag->release.phase = DM_DRAG_RELEASED;
 }
 
-/* Lets go of a part whose hand is too far off. */
+/* Releases a part whose hand is too far off. */
 static void break_off(dmi_drag* drag) {
     const float most = drag->rules.break_distance;
     if (!(most > 0) || drag->release.phase != DM_DRAG_HELD || dmi_drag_hand_miss(drag) <= most) return;

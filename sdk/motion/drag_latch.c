@@ -5,11 +5,11 @@
 
 #include "math/elementary.h"
 
-/* By hand. */
-#define CATCH_SHARE 0.01f /* of the range from where it is closed: the latch catches the part within */
-#define LET_GO 0.8f       /* of the turn that opens the latch: a handle below has been let go */
-#define TRIED 2.0f        /* times what is given: more is a try … */
-#define LET_UP 1.0f       /* … and less is none */
+/* The values are set by hand. */
+#define CATCH_SHARE 0.01f /* share of the range from where the part is closed; the latch catches the part within it */
+#define LET_GO 0.8f       /* share of the turn that opens the latch; a handle below it has been let go */
+#define TRIED 2.0f        /* multiple of what is given; a hand that asks for more tries the part … */
+#define LET_UP 1.0f       /* … and a hand that asks for less has let up */
 
 static bool is_shut(const dmi_rules* rules, const dm_joint* joint, float value) {
     return fabsf(value - dmi_joint_closed(joint)) <= CATCH_SHARE * dmi_rules_range(rules, joint);
@@ -41,7 +41,7 @@ uint32_t dmi_latch_update(dmi_latch* latch, const dmi_rules* rules, const dm_joi
     return events;
 }
 
-/* Returns what is given at most, joint value. */
+/* Returns how far a held part gives at most, joint value. */
 static float most_given(const dmi_rules* rules, const dm_joint* joint) {
     return rules->lock_give * dmi_rules_range(rules, joint);
 }

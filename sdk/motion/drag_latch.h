@@ -1,4 +1,4 @@
-/* Lock and latch of a part: what holds it where it is until a key or a handle lets go. */
+/* Lock and latch of a part. They hold it where it is until a key or a handle lets go. */
 #ifndef DMI_MOTION_DRAG_LATCH_H
 #define DMI_MOTION_DRAG_LATCH_H
 

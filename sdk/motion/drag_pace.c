@@ -7,8 +7,8 @@
 #include "math/elementary.h"
 #include "motion/drag_release.h"
 
-/* By hand, with the releases of tests/unit/test_drag_release.c; docs/feel.md. */
-#define SLOPE_STEP 1e-3f     /* of the duration, for the slope of the plan at its start */
+/* The values are set by hand, with the releases of tests/unit/test_drag_release.c; docs/feel.md. */
+#define SLOPE_STEP 1e-3f     /* share of the duration over which the slope of the plan at its start is measured */
 #define SEARCH_STEPS 64      /* even steps over the keys … */
 #define SEARCH_BISECTIONS 20 /* … and bisections of the step found */
 #define MIN_PACE_SCALE 0.5f  /* keys that end this much farther than the plan do not suit it … */
@@ -69,8 +69,8 @@ static float planned(const dmi_release* r, float s) {
     return value_on_keys(r, t);
 }
 
-/* Adds to the plan what value and velocity differ from it at the start, fading: s (1 - s)^3 has slope 1 at 0, and (1 +
- * 3 s) (1 - s)^3 has value 1 and slope 0 there. */
+/* Returns the plan plus what value and velocity differ from it at the start, fading. The function s (1 - s)^3 has slope
+ * 1 at 0, and (1 + 3 s) (1 - s)^3 has value 1 and slope 0 there. */
 static float move_at(const dmi_release* r, float s) {
     const float h = SLOPE_STEP, left = 1 - s, fade = left * left * left;
     const float off = r->start - planned(r, 0), slope = (planned(r, h) - planned(r, 0)) / h;

@@ -18,11 +18,11 @@
 #define MAX_GAIN 16.0f
 #define GLIDE_GAIN 2.0f         /* the same on the way to a place that is farther off than that; by hand */
 #define CATCH_UP_HALF_LIFE 0.1f /* s in which half of what is left is made up for; by hand */
-#define MAX_GLIDE 6.0f          /* rad/s of a turn's share of that; by hand, so that no frame shows a jump */
-#define MIN_RAY_TURN 1e-5f      /* rad between two rays: rounding makes less, a pixel makes more; by hand */
-#define MAX_GRAB_OFFSET 0.032f  /* rad, as seen from the eye: 15 pixels of 960 in a view 90 degrees high; by hand */
+#define MAX_GLIDE 6.0f     /* rad/s, the fastest that a turn makes up for it; by hand, so that no frame shows a jump */
+#define MIN_RAY_TURN 1e-5f /* rad between two rays: rounding makes less, a pixel makes more; by hand */
+#define MAX_GRAB_OFFSET 0.032f /* rad, as seen from the eye: 15 pixels of 960 in a view 90 degrees high; by hand */
 
-/* Copies a ray with a unit direction; false when it is not finite or has no direction. */
+/* Copies a ray with a unit direction. Returns false when it is not finite or has no direction. */
 static inline bool dmi_drag_unit_ray(const dm_ray* ray, dm_ray* out) {
     const dm_vec3 o = ray->origin, d = ray->direction;
     if (!isfinite(o.x) || !isfinite(o.y) || !isfinite(o.z)) return false;
@@ -63,8 +63,8 @@ static inline void dmi_drag_add_grab_offset(const dmi_drag* drag, dm_ray* ray) {
     ray->origin.z += drag->grab_offset.z;
 }
 
-/* Returns how far a ray has moved since the last update, host units at the grabbed point. Before the first update the
- * pointer lay on the point. */
+/* Returns how far a ray has moved since the last update, host units at the grabbed point. The first update compares it
+ * with the grabbed point. */
 static inline float dmi_drag_ray_motion(const dmi_drag* drag, const dm_ray* ray) {
     float before[3], now[3], sum = 0;
     dmi_ray_closest_point(ray, drag->point, now);
@@ -77,9 +77,9 @@ static inline float dmi_drag_ray_motion(const dmi_drag* drag, const dm_ray* ray)
     return sqrtf(sum);
 }
 
-/* Moves the pointer value to `nearest`, or towards it where that says little. hand_motion: of the hand since the last
- * update, host units. It is there at once when that is at most MAX_GAIN times the hand's own motion away, else it
- * glides there, GLIDE_GAIN times that motion and a share of the rest. */
+/* Moves the pointer value to `nearest`. hand_motion: way of the hand since the last update, host units. The value
+ * arrives at once when that is at most MAX_GAIN times the hand's own motion away. Otherwise it glides there, by
+ * GLIDE_GAIN times that motion and a share of the rest, because `nearest` is ill-posed then. */
 static inline void dmi_drag_move_pointer(dmi_drag* drag, float nearest, float hand_motion, float dt) {
     const float gap = nearest - drag->pointer_value, motion = hand_motion / drag->speed;
     const float at_once = fabsf(gap) <= MAX_GAIN * motion ? fabsf(gap) : GLIDE_GAIN * motion;
@@ -89,8 +89,8 @@ static inline void dmi_drag_move_pointer(dmi_drag* drag, float nearest, float ha
     if (isfinite(value)) drag->pointer_value = dmi_clamp_within(value, DMI_LARGEST);
 }
 
-/* Whether the joint is a slide seen end on: the pointer does not show its value, so it is no evidence against its
- * limits. */
+/* Returns whether the joint is a slide seen end on. The pointer does not show its value then, so it is no evidence
+ * against its limits. */
 static inline bool dmi_drag_is_unseen_slide(const dmi_drag* drag, const dm_ray* ray) {
     float sight[3], eye_distance;
     if (drag->joint.type != DM_JOINT_PRISMATIC) return false;
@@ -98,8 +98,8 @@ static inline bool dmi_drag_is_unseen_slide(const dmi_drag* drag, const dm_ray* 
     return dmi_is_seen_end_on(&drag->joint, drag->rest_point, sight);
 }
 
-/* Returns the pointer values that a pull may have: those of the limits, or what estimated limits may be exceeded to.
- * stated: no farther than estimated limits. */
+/* Returns the pointer values that a pull may have: those of the limits, or how far estimated limits may be exceeded.
+ * stated: excludes what lies beyond estimated limits. */
 static inline dmi_span dmi_drag_span(const dmi_drag* drag, bool stated) {
     dmi_span span = {-INFINITY, INFINITY};
     if (drag->limits_are_estimates) {
@@ -111,7 +111,8 @@ static inline dmi_span dmi_drag_span(const dmi_drag* drag, bool stated) {
     return span;
 }
 
-/* Makes the ray of the first hand unit and adds its offset, which the first ray of the drag sets. False: not usable. */
+/* Makes the ray of the first hand unit and adds its offset, which the first ray of the drag sets. Returns false when
+ * the ray is not usable. */
 static inline bool dmi_drag_read_ray(dmi_drag* drag, const dm_ray* ray, dm_ray* out_unit) {
     if (!dmi_drag_unit_ray(ray, out_unit)) return false;
     if (!dmi_drag_has_last_ray(drag)) dmi_drag_measure_grab_offset(drag, out_unit);

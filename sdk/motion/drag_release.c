@@ -7,15 +7,17 @@
 #include "math/constants.h"
 #include "math/elementary.h"
 
-/* By hand, with the releases of tests/unit/test_drag_release.c; docs/feel.md. */
-#define ARRIVED_SHARE 1e-4f       /* of the range, or of the value without limits: there already */
-#define MIN_DURATION 0.18f        /* s of any motion */
-#define FULL_RANGE_TIME 0.7f      /* s over the whole range */
-#define GLIDE_HALF_LIVES 7.0f     /* half-lives after which a gliding part stands: 1/128 of the speed is left */
-#define PEAK_SPEED 1.875f         /* of minimum jerk, over its mean: at the middle */
-#define PEAK_ACCELERATION 5.7736f /* of minimum jerk over distance / time^2: 10 / sqrt(3), rounded up */
-#define MIN_FALL_TIME 1e-3f       /* s: a shorter fall is over within a frame all the same */
-#define MAX_BACKWARDS 0.105f      /* maximum of s (1 - s)^3 on [0, 1], 27/256 rounded down */
+/* The values are set by hand, with the releases of tests/unit/test_drag_release.c; docs/feel.md. */
+/* Share of the range, or of the value without limits; a part this near is there already. */
+#define ARRIVED_SHARE 1e-4f
+#define MIN_DURATION 0.18f    /* s, the shortest of any motion */
+#define FULL_RANGE_TIME 0.7f  /* s of a motion over the whole range */
+#define GLIDE_HALF_LIVES 7.0f /* half-lives after which a gliding part stands: 1/128 of the speed is left */
+#define PEAK_SPEED 1.875f     /* highest speed of minimum jerk over its mean, which it has at the middle */
+/* Highest acceleration of minimum jerk times time^2 over distance: 10 / sqrt(3), rounded up. */
+#define PEAK_ACCELERATION 5.7736f
+#define MIN_FALL_TIME 1e-3f  /* s; a shorter fall is over within a frame all the same */
+#define MAX_BACKWARDS 0.105f /* maximum of s (1 - s)^3 on [0, 1], 27/256 rounded down */
 
 static bool is_limit(const dm_joint* joint, float value) {
     return value == joint->lower || value == joint->upper;
@@ -30,8 +32,8 @@ static float shortest_duration(const dmi_released_part* part, float distance) {
     return dmi_fminf(time, DMI_LARGEST_TIME);
 }
 
-/* Returns the duration of a motion over `distance`: by the share of the range, and not slower than the part already
- * goes. */
+/* Returns the duration of a motion over `distance`. It grows with the share of the range, and the motion is not slower
+ * than the part already goes. */
 static float natural_duration(const dmi_released_part* part, float distance) {
     const float speed = fabsf(part->velocity);
     const float share = dmi_joint_has_limits(part->joint) ? dmi_fminf(fabsf(distance) / dmi_released_unit(part), 1) : 1;
@@ -68,7 +70,8 @@ static void plan_move(const dmi_released_part* part, dmi_release* r, float end) 
     if (fabsf(distance) <= ARRIVED_SHARE * dmi_released_unit(part)) r->duration = 0;
 }
 
-/* A fall that does not end at a limit ends without a bounce: nothing is there that throws the part back. */
+/* Returns the flight of a plan. A fall that does not end at a limit ends without a bounce, because nothing there throws
+ * the part back. */
 static dmi_flight flight_of(const dmi_release* r, const dmi_released_part* part) {
     dmi_flight flight = {.lower = part->joint->lower,
                          .upper = part->joint->upper,
@@ -82,7 +85,7 @@ static dmi_flight flight_of(const dmi_release* r, const dmi_released_part* part)
     return flight;
 }
 
-/* Makes a glide that a limit throws back, or a fall, of the plan. */
+/* Turns the plan into a glide that a limit throws back, or into a fall. */
 static void plan_flight(const dmi_released_part* part, dmi_release* r, bool by_itself) {
     const float side = r->end < r->start ? -1.0f : 1.0f,
                 time = dmi_fmaxf(dmi_released_rules(part)->fall_time, MIN_FALL_TIME);
@@ -103,7 +106,8 @@ dmi_landing dmi_release_fly(dmi_release* r, const dmi_released_part* part, float
                             float* out_velocity) {
     const dmi_flight flight = flight_of(r, part);
     dmi_landing landing = dmi_flight_advance(&flight, dt, out_value, out_velocity);
-    if (flight.lower != part->joint->lower || flight.upper != part->joint->upper) landing.struck = 0; /* rest is none */
+    if (flight.lower != part->joint->lower || flight.upper != part->joint->upper)
+        landing.struck = 0; /* rest is not a limit here */
     r->elapsed = dmi_fminf(r->elapsed + dt, DMI_LARGEST_TIME);
     if (landing.settled) {
         r->phase = DM_DRAG_AT_REST;
@@ -135,7 +139,7 @@ void dmi_release_begin(dmi_release* r, const dmi_released_part* part, int32_t in
     else if (dmi_released_rules(part)->on)
         plan_flight(part, r, intent == DM_INTENT_AUTO && r->return_time <= 0 && asked != DM_INTENT_STAY);
     if (duration > 0 && r->duration > 0) {
-        r->duration = duration; /* a glide and a fall take the time that they take */
+        r->duration = duration; /* a glide and a fall take their own time, whatever duration was asked for */
         r->glides = r->flies = false;
     }
     if (!r->glides && r->duration > 0 && !unlimited) r->velocity = velocity_with_room(part, r);

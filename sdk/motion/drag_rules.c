@@ -5,14 +5,14 @@
 
 #include "math/elementary.h"
 
-/* By hand; documented at dm_drag_rules. */
-#define DEFAULT_OPEN_SHARE 0.1f    /* of the range */
-#define DEFAULT_CLOSED_SHARE 0.02f /* of the range */
-#define DEFAULT_LOCK_GIVE 0.01f    /* of the range */
+/* The values are set by hand, and documented at dm_drag_rules. */
+#define DEFAULT_OPEN_SHARE 0.1f    /* share of the range */
+#define DEFAULT_CLOSED_SHARE 0.02f /* share of the range */
+#define DEFAULT_LOCK_GIVE 0.01f    /* share of the range */
 #define DEFAULT_LATCH_TURN 0.785f  /* rad: 45 degrees */
 #define DEFAULT_AUTO_CLOSE 0.25f   /* s */
 #define DEFAULT_FALL_TIME 0.7f     /* s, as long as a planned motion over the whole range */
-#define OUTER_REACH 0.05f          /* of the range: how far an outermost snap value reaches */
+#define OUTER_REACH 0.05f          /* share of the range that an outermost snap value reaches */
 
 float dmi_rules_range(const dmi_rules* rules, const dm_joint* joint) {
     if (dmi_joint_has_limits(joint) && !rules->one_sided) return joint->upper - joint->lower;
@@ -27,7 +27,7 @@ float dmi_rules_share_from_rest(const dmi_rules* rules, const dm_joint* joint, f
     return fabsf(value - dmi_joint_clamp(joint, 0)) / dmi_rules_range(rules, joint);
 }
 
-/* Returns a number that is given, or else its default. */
+/* Returns `given`, or the default when it is 0. */
 static float given_or(float given, float otherwise) {
     return given != 0 ? given : otherwise;
 }

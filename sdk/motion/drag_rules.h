@@ -6,28 +6,28 @@
 #include "motion/drag_snaps.h"
 
 typedef struct dmi_rules {
-    bool on;           /* false: none of it */
+    bool on;           /* false: the part has no rules */
     bool one_sided;    /* only one of the joint's limits is one */
     float object_size; /* host units */
     uint32_t flags;    /* DM_RULE_* */
     dmi_snaps snaps;
-    float open_share, closed_share; /* of the range, from where it is closed */
+    float open_share, closed_share; /* shares of the range from where the part is closed */
     float event_time;               /* s */
     float max_speed;                /* joint value a second; 0: none */
     float max_acceleration;         /* joint value a second squared; 0: none */
     float lock_give;                /* share of the range; 0: none */
     float latch_turn;               /* joint value of a handle */
-    float auto_close_share;         /* of the range; 0: does not */
+    float auto_close_share;         /* share of the range; 0: the part does not close itself */
     float auto_close_time;          /* s */
     float close_delay;              /* s */
-    float tip_share;                /* of the range; 0: does not fall */
+    float tip_share;                /* share of the range; 0: the part does not fall */
     float fall_time;                /* s over the whole range */
     float restitution;              /* 0 to 1 */
     float break_distance;           /* host units; 0: none */
     float drive_speed;              /* share of the range a second */
 } dmi_rules;
 
-/* Fills in the defaults. given: sound, its snap values copied at once. */
+/* Fills in the defaults. given: valid rules, whose snap values are copied. */
 dmi_rules dmi_rules_from(const dm_drag_rules* given, const dm_drag_feel* feel, const dm_joint* joint, bool one_sided,
                          float object_size);
 /* Returns how far a value is from where the part is closed, a share of the range. */

@@ -1,4 +1,4 @@
-/* About each snap value one period of a sine is taken off the value, as about a detent (drag_feel.c), but each side of
+/* One period of a sine is taken off the value about each snap value, as about a detent (drag_feel.c), but each side of
  * it has its own length. Both ends of the period leave the value as it is, so neighbours join. */
 #include "motion/drag_snaps.h"
 
@@ -7,7 +7,7 @@
 #include "math/constants.h"
 #include "math/elementary.h"
 
-#define BISECTIONS 40 /* of twice the longest reach: below a float's rounding */
+#define BISECTIONS 40 /* halvings of twice the longest reach, which end below a float's rounding */
 
 /* Returns the index of the snap value nearest to a value. */
 static uint32_t nearest(const dmi_snaps* snaps, float value) {

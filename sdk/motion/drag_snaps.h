@@ -17,10 +17,10 @@ typedef struct dmi_snaps {
 float dmi_snaps_pull(const dmi_snaps* snaps, float value);
 /* Inverse of dmi_snaps_pull: returns a pointer value that is moved to `target`. */
 float dmi_snaps_invert(const dmi_snaps* snaps, float target);
-/* Whether a value is in reach of a snap value inside the limits; out_snap: that one. */
+/* Returns whether a value is in reach of a snap value inside the limits. out_snap gets that one. */
 bool dmi_snaps_catch(const dmi_snaps* snaps, const dm_joint* joint, float value, float* out_snap);
-/* Returns where a value lies among the snap values: their index at each, half-way to the next at the end of the reach;
- * from -1 to their count. */
+/* Returns where a value lies among the snap values, from -1 to their count: an index at each, and half-way to the next
+ * one at the end of the reach. */
 float dmi_snaps_place(const dmi_snaps* snaps, float value);
 
 #endif

@@ -1,4 +1,4 @@
-/* What a drag with rules tells: events of an update, and what holds the part. */
+/* Reports of a drag with rules: the events of an update, and what holds the part. */
 #include "motion/drag_internal.h"
 
 static dmi_event_input event_input(const dmi_drag* drag, bool blocked) {

@@ -9,8 +9,8 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-/* All by hand, with the cases of tests/unit/test_drag.c; docs/feel.md. */
-#define MAX_STEPS 16           /* of Newton's method */
+/* All values are set by hand, with the cases of tests/unit/test_drag.c; docs/feel.md. */
+#define MAX_STEPS 16           /* steps of Newton's method */
 #define MAX_STEP 0.5f          /* rad */
 #define STEP_TOLERANCE 3e-5f   /* rad, relative beyond 1: the error left by a Newton step is about its square */
 #define COARSE_TOLERANCE 1e-2f /* the same for the coarse search, in half the time */
@@ -20,10 +20,12 @@
 #define MIN_SLANT 0.8f         /* sine of the slant at which a circle is seen nearly edge on */
 #define FOLD_MARGIN 0.01f      /* share of the lever arm by which the other branch must look nearer */
 #define BRANCH_MISS 0.2f       /* share of the lever arm by which a point has clearly left the pointer */
-#define BRANCH_GAIN 0.4f       /* a place farther on must miss the pointer by less than this share of it */
-#define BRANCH_PLACES 12       /* tried in the range: 30 degrees apart on a whole circle, whose branches are 180 wide */
-#define END_ON_SINE 0.15f      /* between a point's motion and the line of sight; below: seen end on */
-#define MIN_ARM 1e-6f          /* lever arm of a turning point, share of its coordinates; below: rounding */
+#define BRANCH_GAIN 0.4f       /* share by which a place farther on must miss the pointer less */
+/* Places tried in the range, 30 degrees apart on a whole circle, whose branches are 180 wide. */
+#define BRANCH_PLACES 12
+/* Sine between a point's motion and the line of sight; below it the motion is seen end on. */
+#define END_ON_SINE 0.15f
+#define MIN_ARM 1e-6f /* lever arm of a turning point, share of its coordinates; a smaller one is rounding */
 
 /* A sliding point relative to the ray's origin at value v: P = arm + (along + v) a, with the arm perpendicular to a. */
 typedef struct slide_view {
@@ -31,12 +33,12 @@ typedef struct slide_view {
     float along, ad; /* ad = a.d */
 } slide_view;
 
-/* The angle between d and P has one stationary point, where a.d |arm|^2 = (along + v) d.arm. With d.arm > 0 it is the
- * minimum. Otherwise the pointer is beyond the line's vanishing point, and the angle decreases all the way towards it:
- * to the limit that lies along the ray. */
+/* Follows a slide in perspective. The angle between d and P has one stationary point, where a.d |arm|^2 = (along + v)
+ * d.arm. With d.arm > 0 it is the minimum. Otherwise the pointer is beyond the line's vanishing point, and the angle
+ * decreases all the way towards it: to the limit that lies along the ray. */
 static float follow_slide_perspective(slide_view* view, float start, float lower, float upper) {
     const float across = dmi_dot3(view->d, view->arm), arm2 = dmi_dot3(view->arm, view->arm);
-    if (!(arm2 > MIN_SINE2 * view->along * view->along)) return start; /* seen end on */
+    if (!(arm2 > MIN_SINE2 * view->along * view->along)) return start; /* the slide is seen end on */
     if (across > 0) return view->ad * arm2 / across - view->along;
     if (view->ad > 0 && upper < INFINITY) return upper;
     if (view->ad < 0 && lower > -INFINITY) return lower;
@@ -91,7 +93,8 @@ static turn_view view_turn(const dm_joint* joint, const float rest_point[3], con
     return view;
 }
 
-/* Whether the point moves at all: one on the axis of a pure turn has only the rounding of its coordinates as arm. */
+/* Returns whether the point moves at all. One on the axis of a pure turn has only the rounding of its coordinates as
+ * arm. */
 static bool moves_point(const dm_joint* joint, const float rest_point[3], turn_view* view) {
     dmi_float3 origin = dmi_xyz(joint->origin);
     const float arm = dmi_length3(view->u) + dmi_length3(view->advance);
@@ -102,14 +105,14 @@ typedef struct slopes {
     float first, second; /* derivatives of the objective by the joint value */
 } slopes;
 
-/* Objective |P - (d.P) d|^2 / 2: half the squared distance from the ray's line. */
+/* Returns the slopes of |P - (d.P) d|^2 / 2, which is half the squared distance from the ray's line. */
 static slopes parallel_slopes(vec3 d, vec3 p, vec3 velocity, vec3 acceleration) {
     const float pd = dmi_dot3(p, d), vd = dmi_dot3(velocity, d), ad = dmi_dot3(acceleration, d);
     return (slopes){dmi_dot3(p, velocity) - pd * vd,
                     dmi_dot3(velocity, velocity) - vd * vd + dmi_dot3(p, acceleration) - pd * ad};
 }
 
-/* Objective -(d.P) / |P|: minus the cosine of the angle to the ray. */
+/* Returns the slopes of -(d.P) / |P|, which is minus the cosine of the angle to the ray. */
 static slopes perspective_slopes(vec3 d, vec3 p, vec3 velocity, vec3 acceleration) {
     const float distance = dmi_length3(p), n = dmi_dot3(p, d), n1 = dmi_dot3(velocity, d);
     const float n2 = dmi_dot3(acceleration, d), cosine = n / distance, q1 = dmi_dot3(p, velocity) / distance;
@@ -185,9 +188,9 @@ static float pass_fold(turn_view* view, float value, float lower, float upper) {
     return passed < 0 && then < here - FOLD_MARGIN * arm ? there : value;
 }
 
-/* A pointer that goes straight to where a turn should end leaves the circle. The place downhill may then be a stop or a
- * fold, while a place farther on is at the pointer. Searches the range for that one once the pointer has clearly left
- * the point. */
+/* Searches the range for a place that is nearer to the pointer, once the pointer has clearly left the point. A pointer
+ * that goes straight to where a turn should end leaves the circle. The place downhill may then be a stop or a fold,
+ * while a place farther on is at the pointer. */
 static float find_branch(turn_view* view, float value, float lower, float upper) {
     const float here = distance_from_ray(view, value);
     if (here < BRANCH_MISS * dmi_length3(view->u)) return value;

@@ -8,16 +8,16 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define MAX_STEPS 12    /* of Newton's method; by hand */
-#define MAX_STEP 0.5f   /* rad; by hand */
-#define TOLERANCE 1e-6f /* rad; by hand */
-#define MIN_ARM 1e-6f   /* lever arm, share of the coordinates; below: rounding */
+#define MAX_STEPS 12    /* steps of Newton's method; by hand */
+#define MAX_STEP 0.5f   /* rad, the longest step; by hand */
+#define TOLERANCE 1e-6f /* rad, a step that ends the search; by hand */
+#define MIN_ARM 1e-6f   /* lever arm, share of the coordinates; a smaller one is rounding */
 
 /* A point and a hand about an axis. */
 typedef struct turn {
-    float angle;   /* from the point to the hand, rad */
-    float product; /* of both lever arms */
-    float along;   /* of the hand above the point, along the axis */
+    float angle;   /* angle from the point to the hand, rad */
+    float product; /* product of both lever arms */
+    float along;   /* height of the hand above the point, along the axis */
 } turn;
 
 static bool view_turn(const dm_joint* joint, const float rest_point[3], const float hand[3], turn* out) {

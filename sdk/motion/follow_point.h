@@ -4,8 +4,9 @@
 
 #include "math/joint.h"
 
-/* Returns the joint value in [lower, upper] at which the point, given at rest, is nearest to `hand`; of turns the place
- * nearest to `start`, so that turns add up. Returns `start` where the hand says nothing: on the axis of a turn. */
+/* Returns the joint value in [lower, upper] at which the point, given at rest, is nearest to `hand`. For turns this is
+ * the place nearest to `start`, so that turns add up. Returns `start` where the hand lies on the axis of a turn,
+ * because it says nothing there. */
 float dmi_follow_point(const dm_joint* joint, const float rest_point[3], const float hand[3], float start, float lower,
                        float upper);
 

@@ -15,24 +15,26 @@
 
 #define NOISE_PER_LENGTH 0.01f /* expected residual on the right joint, share of the pull's length */
 #define NOISE_FLOOR 0.0015f    /* expected residual at the start, share of the part's size */
-#define TAIL_EXPONENT 3.5f     /* of the power law that residuals follow */
+#define TAIL_EXPONENT 3.5f     /* exponent of the power law that residuals follow */
 /* Log prior of a pull along a path that is straight, by a hand that knows it: some slide, and some turn about a far
  * axis, lies along a straight pull by chance. It fades where pull or path bends. Fitted with the knowing hands of the
  * development set in view. */
 #define STRAIGHT_PATH_LOG_PRIOR (-0.8f)
-/* The same of a slide along the up direction, by how much less: a hand that lifts what it holds goes straight up the
- * screen, and so does every such slide. */
+/* Log prior by which a slide along the up direction is less likely still. A hand that lifts what it holds goes straight
+ * up the screen, and so does every such slide. */
 #define LIFT_LOG_PRIOR (-1.2f)
-#define CHORD_LOG_PRIOR (-2.5f)          /* of a hand that goes straight to where a turn should end */
-#define ROUGH_TURN_LOG_PRIOR (-2.67f)    /* of a hand that goes roughly along a turn's first motion */
-#define ROUGH_SLIDE_LOG_PRIOR (-3.0f)    /* the same of a slide */
-#define ROUGH_ANGLE 0.66f                /* rad between such a pull and the first motion, as seen: 38 degrees */
-#define ASTRAY_LOG_LIKELIHOOD (-13.2f)   /* of such a hand that pulls at any angle */
-#define WAVERING_LOG_LIKELIHOOD (-6.0f)  /* of such a hand that does not go straight, because it wavered at first */
-#define AGAINST_LOG_LIKELIHOOD (-0.59f)  /* of such a hand that pulls away from the side on which the range lies */
+#define CHORD_LOG_PRIOR (-2.5f)        /* log prior of a hand that goes straight to where a turn should end */
+#define ROUGH_TURN_LOG_PRIOR (-2.67f)  /* log prior of a hand that goes roughly along a turn's first motion */
+#define ROUGH_SLIDE_LOG_PRIOR (-3.0f)  /* the same of a slide */
+#define ROUGH_ANGLE 0.66f              /* rad between such a pull and the first motion, as seen: 38 degrees */
+#define ASTRAY_LOG_LIKELIHOOD (-13.2f) /* log likelihood of such a hand that pulls at any angle */
+/* Log likelihood of such a hand that does not go straight, because it wavered at first. */
+#define WAVERING_LOG_LIKELIHOOD (-6.0f)
+/* Log likelihood of such a hand that pulls away from the side on which the range lies. */
+#define AGAINST_LOG_LIKELIHOOD (-0.59f)
 #define INTO_BODY_LOG_LIKELIHOOD (-4.0f) /* the same where the part would go into its body; by hand */
-#define SAGITTA 0.125f                   /* of an arc, over its squared chord and its curvature; geometry */
-#define LEAST_SEEN 0.18f    /* share of the first motion that is seen: people do not pull along what they can't see */
+#define SAGITTA 0.125f                   /* sagitta of an arc, over its squared chord and its curvature; geometry */
+#define LEAST_SEEN 0.18f    /* share of the first motion that is seen; people do not pull along what they cannot see */
 #define STRAIGHT_BEND 0.03f /* largest bend of a straight pull, share of its length; by hand */
 #define NEGLIGIBLE_LOG_RATIO 8.0f /* a term smaller than the other by exp(8) is left out; by hand */
 
@@ -40,9 +42,10 @@ float dmi_expected_residual(const dmi_grasp* grasp) {
     return NOISE_PER_LENGTH * grasp->pull.length + NOISE_FLOOR * grasp->size;
 }
 
-/* Power law of the largest residual, relative to the expected one. The largest counts, because a slide crosses the arc
- * of a hinge and matches it there alone; relative to the pull so far, so that an early error fades. The heavy tail
- * stands for a hand of unknown skill: where no joint fits well, a near one is little better than a farther one. */
+/* Returns the log of a power law of the largest residual, relative to the expected one. The largest counts, because a
+ * slide crosses the arc of a hinge and matches it there alone. It is relative to the pull so far, so that an early
+ * error fades. The heavy tail stands for a hand of unknown skill: where no joint fits well, a near one is little better
+ * than a farther one. */
 static float residual_log_likelihood(const dmi_grasp* grasp, float residual) {
     return -TAIL_EXPONENT * dmi_logf(1 + residual / dmi_expected_residual(grasp));
 }

@@ -4,18 +4,18 @@
 
 #include "motion/joint_hypothesis.h"
 
-/* Shows the pull one more ray. */
+/* Adds one more ray to the pull. */
 void dmi_grasp_add(dmi_grasp* grasp, const dm_ray* ray);
-/* Whether the pull bends so little that the hand may have meant a straight line. */
+/* Returns whether the pull bends so little that the hand may have meant a straight line. */
 bool dmi_grasp_is_straight(const dmi_grasp* grasp);
 /* Whether the pull can't tell this joint's value, nor anything against it: the part was grabbed on this joint, whose
  * first motion is seen end on. */
 bool dmi_joint_hypothesis_is_end_on(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis);
 /* Returns the residual that the right joint has with an unsteady pointer, host units. */
 float dmi_expected_residual(const dmi_grasp* grasp);
-/* Returns the log likelihood of a hand that follows the part exactly, with this largest residual. */
+/* Returns the log likelihood of a hand that follows the part exactly and misses it by this largest residual. */
 float dmi_followed_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float residual);
-/* Returns the log likelihood of the pull, whichever way the hand pulls. residual: the largest one. */
+/* Returns the log likelihood of the pull, summed over the ways in which a hand may pull. residual: the largest one. */
 float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis,
                                           float residual);
 

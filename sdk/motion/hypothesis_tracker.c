@@ -9,22 +9,24 @@
 #include "math/vec3.h"
 #include "motion/hand_likelihood.h"
 
-#define MIN_PULL 0.006f                 /* share of the part's size: a shorter pull carries no information; fitted */
-#define FALLBACK_SLIDE_LOG_ODDS (-6.5f) /* of a slide along an object axis that inference did not propose; fitted */
-#define UNKNOWN_RANGE_LOG_ODDS (-0.35f) /* of a joint without an inferred range; fitted */
+#define MIN_PULL 0.006f /* share of the part's size: a shorter pull carries no information; fitted */
+/* Log odds of a slide along an object axis that inference did not propose; fitted. */
+#define FALLBACK_SLIDE_LOG_ODDS (-6.5f)
+#define UNKNOWN_RANGE_LOG_ODDS (-0.35f) /* log odds of a joint without an inferred range; fitted */
 #define UPDATED_PER_RAY 3               /* hypotheses beside the active one; by hand, for a microsecond an update */
 #define REFINE_INTERVAL 2               /* updates between two steps of the axis refinement; by hand */
-#define WAITING_BONUS 0.05f         /* log likelihood that a hypothesis may gain in a round without update; fitted */
-#define NEGLIGIBLE_LOG_ODDS (-7.0f) /* against the active hypothesis: left out of its probability; by hand */
-#define SMALLEST_POSTERIOR 1e-4f    /* posteriors are clamped to [this, 1 - this]; by hand */
-#define UPRIGHT_COSINE 0.98f        /* of a slide and the up direction, 11 degrees; by hand */
-#define NEVER_WAITS 1e9f            /* priority above all others */
-#define TYPE_MARGIN 0.35f           /* how much more probable one of another type must be; fitted */
-#define SWITCH_MARGIN 0.4f          /* log ratio by which another joint must be more probable; fitted */
+#define WAITING_BONUS 0.05f /* log likelihood that a hypothesis may gain in a round without update; fitted */
+/* Log odds against the active hypothesis; one below them is left out of its probability; by hand. */
+#define NEGLIGIBLE_LOG_ODDS (-7.0f)
+#define SMALLEST_POSTERIOR 1e-4f /* posteriors are clamped to [this, 1 - this]; by hand */
+#define UPRIGHT_COSINE 0.98f     /* cosine of a slide and the up direction, 11 degrees; by hand */
+#define NEVER_WAITS 1e9f         /* a priority above all others */
+#define TYPE_MARGIN 0.35f        /* how much more probable one of another type must be; fitted */
+#define SWITCH_MARGIN 0.4f       /* log ratio by which another joint must be more probable; fitted */
 
-/* What turns log odds among the tracked hypotheses into those of being right: of a straight pull, and of one that
- * bends. Slopes and offsets are fitted (docs/research/trials_drag.md). The most is by hand: no straight pull makes a
- * joint certain. */
+/* Line that maps log odds among the tracked hypotheses to log odds of being right: one for a straight pull, one for a
+ * pull that bends. Slopes and offsets are fitted (docs/research/trials_drag.md). The upper bound is set by hand,
+ * because no straight pull makes a joint certain. */
 static const struct { float slope, offset, most; } calibration[2] = {{0.43f, 1.17f, 3.0f}, {0.55f, 2.1f, 4.6f}};
 
 static bool is_known(const dmi_hypothesis_tracker* tracker, const dm_joint* joint) {
@@ -89,7 +91,7 @@ static uint32_t highest_priority(const dmi_hypothesis_tracker* tracker, uint32_t
     float least = -INFINITY; /* priority that a further one must exceed */
     for (uint32_t i = 0; i < tracker->count; i++) {
         const float priority = tracker->priority[i];
-        if (!(priority > least) || i == tracker->best) continue; /* skips NaN too */
+        if (!(priority > least) || i == tracker->best) continue; /* a NaN is skipped too */
         uint32_t at = found < UPDATED_PER_RAY ? found++ : found - 1;
         for (; at > 0 && tracker->priority[out[at - 1]] < priority; at--) out[at] = out[at - 1];
         out[at] = i;
@@ -98,9 +100,9 @@ static uint32_t highest_priority(const dmi_hypothesis_tracker* tracker, uint32_t
     return found;
 }
 
-/* Sets the priority of an updated hypothesis. All that wait gain WAITING_BONUS a round, so the updated one loses the
- * bonus of the rounds so far instead. The joint of the grab never waits: a pull that has left it may come back to it.
- */
+/* Sets the priority of an updated hypothesis. Every waiting one gains WAITING_BONUS a round, so the updated one loses
+ * the bonus of the rounds so far instead. The joint of the grab never waits, because a pull that has left it may come
+ * back to it. */
 static void set_priority(dmi_hypothesis_tracker* tracker, uint32_t updated) {
     const dmi_joint_hypothesis* one = &tracker->list[updated];
     tracker->priority[updated] =
@@ -148,7 +150,7 @@ static bool refine_axes(dmi_hypothesis_tracker* tracker) {
 /* Returns the posterior probability of the active hypothesis, or of all of its type, among those tracked. */
 static float posterior_of_active(const dmi_hypothesis_tracker* tracker, bool type_alone) {
     const dmi_joint_hypothesis* best = &tracker->list[tracker->best];
-    float sum = 1, own = 1; /* of odds against the active one */
+    float sum = 1, own = 1; /* sums of odds against the active one */
     for (uint32_t i = 0; i < tracker->count; i++) {
         const dmi_joint_hypothesis* one = &tracker->list[i];
         const float apart = one->log_posterior - best->log_posterior;
@@ -160,7 +162,7 @@ static float posterior_of_active(const dmi_hypothesis_tracker* tracker, bool typ
     return own / sum;
 }
 
-/* Returns the probability that an answer is right whose posterior among those tracked is p. "None of these" has a share
+/* Returns the probability that an answer with the posterior p among those tracked is right. "None of these" has a share
  * that grows with what the pull leaves open. */
 static float calibrate(const dmi_hypothesis_tracker* tracker, float p) {
     const float kept = dmi_fminf(dmi_fmaxf(p, SMALLEST_POSTERIOR), 1 - SMALLEST_POSTERIOR);

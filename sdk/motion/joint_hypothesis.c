@@ -12,26 +12,28 @@
 #include "math/vec3.h"
 #include "motion/hand_likelihood.h"
 
-#define PUSH_LOG_PRIOR (-1.5f)      /* of a hand that pushes a part against its stop; by hand */
-#define EXCURSION_LOG_PRIOR (-4.0f) /* of the side of rest to which the pull has gone less far; by hand */
+#define PUSH_LOG_PRIOR (-1.5f)      /* log prior of a hand that pushes a part against its stop; by hand */
+#define EXCURSION_LOG_PRIOR (-4.0f) /* log prior of the side of rest to which the pull has gone less far; by hand */
 #define JOSTLE_SHARE 0.15f          /* most travel of the grabbed point in a jostle, share of the part; fitted */
-#define LEAVE_RATIO 3.5f            /* times what exceeds a jostle that a pull goes to leave the stated side; fitted */
-#define RETURN_RATIO 0.5f           /* times as far as it left, to come back to the stated side; fitted */
-/* A side with less room than this share of the range is blocked, of a turn and of a slide. The range of a turn that
- * rests at its end does not fit on such a side; the ranges of slides are estimated less well. By hand. */
+/* Multiple of the excess over a jostle that a pull must go to leave the stated side; fitted. */
+#define LEAVE_RATIO 3.5f
+#define RETURN_RATIO 0.5f /* multiple of the way that it left by, which brings it back to the stated side; fitted */
+/* Share of the range of a turn, and then of a slide; a side of rest with less room is blocked. The range of a turn that
+ * rests at its end does not fit on such a side; the ranges of slides are estimated less well. Both are set by hand. */
 #define BLOCKED_TURN_SHARE 1.0f
 #define BLOCKED_SLIDE_SHARE 0.25f
-#define CONFIDENCE_EXPONENT 0.85f /* of the odds: confidences of one part's joints err together */
-#define MIN_CONFIDENCE 1e-3f      /* confidences are clamped to [this, 1 - this]; by hand */
-#define GOOD_ARM 0.15f            /* distance of axis and grabbed point at full prior, share of the part; fitted */
-#define MIN_ARM 0.05f             /* least share of GOOD_ARM that lowers the prior further; fitted */
-#define REST_SHARE 0.05f          /* of the range: a limit this near to rest is a stop at rest; by hand */
-#define SAME_COSINE 0.9998f       /* of two axes, 20 mrad: alike; by hand */
-#define SAME_DISTANCE 0.02f       /* of two axis lines, share of the part's size: alike; by hand */
+/* Exponent of the odds, because the confidences of one part's joints err together. */
+#define CONFIDENCE_EXPONENT 0.85f
+#define MIN_CONFIDENCE 1e-3f /* confidences are clamped to [this, 1 - this]; by hand */
+#define GOOD_ARM 0.15f       /* distance of axis and grabbed point at full prior, share of the part; fitted */
+#define MIN_ARM 0.05f        /* least share of GOOD_ARM that lowers the prior further; fitted */
+#define REST_SHARE 0.05f     /* share of the range; a limit this near to rest is a stop at rest; by hand */
+#define SAME_COSINE 0.9998f  /* cosine of two axes that count as alike, 20 mrad; by hand */
+#define SAME_DISTANCE 0.02f  /* distance of two axis lines that count as alike, share of the part's size; by hand */
 
 /* ---- prior ---- */
 
-/* Returns the side of rest on which a range lies that begins at rest: +1 or -1; 0: on both. */
+/* Returns the side of rest on which a range that begins at rest lies: +1 or -1; 0: on both. */
 static float side_of(const dm_joint* joint) {
     if (!dmi_joint_has_limits(joint)) return 0;
     const float near = REST_SHARE * (joint->upper - joint->lower);
@@ -48,7 +50,7 @@ bool dmi_joints_alike(const dm_joint* a, const dm_joint* b, float size) {
     return a->type == DM_JOINT_PRISMATIC || distance_to_line(dmi_xyz(b->origin).v, a) < SAME_DISTANCE * size;
 }
 
-/* Odds, not probabilities: the confidences of an object's hypotheses do not add up to 1. */
+/* The function works with odds, because the confidences of an object's hypotheses do not add up to 1. */
 float dmi_joint_log_odds(const dm_joint* joint) {
     const float p = dmi_fminf(dmi_fmaxf(joint->joint_confidence, MIN_CONFIDENCE), 1 - MIN_CONFIDENCE);
     return CONFIDENCE_EXPONENT * dmi_logf(p / (1 - p));
@@ -62,7 +64,7 @@ float dmi_lever_arm_log_prior(const dmi_grasp* grasp, const dm_joint* joint) {
     return 0.5f * dmi_logf(dmi_fminf(dmi_fmaxf(arm, MIN_ARM), 1));
 }
 
-/* Whether a joint that rests at an end of its range has too little room on the other side of rest. */
+/* Returns whether a joint that rests at an end of its range has too little room on the other side of rest. */
 static bool is_blocked(const dm_joint* joint, dmi_free_range free_range) {
     const float side = side_of(joint), room = side > 0 ? -free_range.lower : free_range.upper;
     const float share = dmi_joint_turns(joint->type) ? BLOCKED_TURN_SHARE : BLOCKED_SLIDE_SHARE;
@@ -125,8 +127,8 @@ bool dmi_joint_hypothesis_is_pushed_shut(const dmi_joint_hypothesis* hypothesis,
     return hypothesis->other_side_blocked && side_of(&hypothesis->joint) * pointer_value < 0;
 }
 
-/* Gives a joint of unknown range one, inside its free range: a slide begins at rest on the side of the pull, a turn
- * stays free. Most slides of the development set rest at an end of their range, most of its turns that are hard to
+/* Gives a joint of unknown range a range inside its free range: a slide begins at rest on the side of the pull, a turn
+ * stays free. Most slides of the development set rest at an end of their range; most of its turns that are hard to
  * infer do not. */
 static void set_default_range(dmi_joint_hypothesis* hypothesis, float size) {
     dm_joint* joint = &hypothesis->joint;
@@ -156,8 +158,8 @@ bool dmi_joint_hypothesis_adopt_side(dmi_joint_hypothesis* hypothesis, float siz
 /* ---- posterior ---- */
 
 /* Returns how far a pull must go to one side of rest to make it its side, after it went to the other by `excursion`. A
- * jostle is undone by as much; what was really opened on the stated side is left only by much more, because a hand that
- * shuts a part goes on beyond rest. */
+ * jostle is undone by as much. A part that was really opened on the stated side needs much more to leave it, because a
+ * hand that shuts a part goes on beyond rest. */
 static float distance_against(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, bool leaves) {
     const dm_joint* joint = &hypothesis->joint;
     const float excursion = hypothesis->excursion[hypothesis->side > 0 ? leaves : !leaves];
@@ -167,8 +169,8 @@ static float distance_against(const dmi_grasp* grasp, const dmi_joint_hypothesis
     return excursion - opened + LEAVE_RATIO * opened;
 }
 
-/* A joint may have been found on the wrong side of rest, where the other is not blocked. The side that the pull went to
- * most is its side. */
+/* The side that the pull went to most is its side. A joint may have been found on the wrong side of rest, where the
+ * other is not blocked. */
 float dmi_joint_hypothesis_side_log_prior(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float value) {
     if (hypothesis->side == 0) return 0;
     if (dmi_joint_hypothesis_is_pushed_shut(hypothesis, value)) return PUSH_LOG_PRIOR;
@@ -198,8 +200,8 @@ static float log_posterior_at_stop(const dmi_grasp* grasp, const dmi_joint_hypot
     if (side_of(&hypothesis->joint) * hypothesis->pointer_value >= 0 || hypothesis->other_side_blocked)
         return hypothesis->log_posterior;
     const float at_stop = dmi_pull_residual(&grasp->pull, ray, grasp->pull.grab);
-    const float missed =
-        dmi_followed_log_likelihood(grasp, hypothesis, at_stop); /* a part that is held goes on no chord */
+    /* A part that is held goes along no chord. */
+    const float missed = dmi_followed_log_likelihood(grasp, hypothesis, at_stop);
     return hypothesis->log_prior - hypothesis->shift_cost + dmi_fmaxf(missed, PUSH_LOG_PRIOR + likelihood);
 }
 

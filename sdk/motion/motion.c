@@ -51,7 +51,8 @@ void dmi_motion_project(const dm_joint* joint, const float raw[DM_MOTION_FRAMES]
         memcpy(pose.real, raw[i], sizeof pose.real);
         memcpy(pose.dual, raw[i] + 4, sizeof pose.dual);
         pose = dmi_pose_normalize(&pose);
-        value = dmi_joint_project(&about_origin, &pose, value); /* unclamped: turns unwrap along the frames */
+        value = dmi_joint_project(&about_origin, &pose,
+                                  value); /* the value is not clamped, so that turns unwrap along the frames */
         out_values[i] = dmi_joint_clamp(joint, value);
     }
     out_values[0] = 0;
@@ -72,7 +73,7 @@ static float end_slope(float nearest, float next) {
 
 float dmi_motion_value(const dmi_motion* motion, float t) {
     const float* values = motion->values;
-    if (!(t > 0)) return values[0]; /* NaN too */
+    if (!(t > 0)) return values[0]; /* a NaN gives the first value too */
     if (t >= 1) return values[LAST];
     const float place = t * LAST;
     const int k = (int)place < LAST ? (int)place : LAST - 1;

@@ -1,5 +1,5 @@
-/* Links that move parts form trees: a part has one driver at most, and none over itself. So one pass up to the root of
- * what goes both ways and one down again is all. */
+/* Links that move parts form trees: a part has one driver at most, and never drives itself over others. So one pass up
+ * to the root of what goes both ways and one pass down again do all. */
 #include "motion/part_links.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@ static const dmi_link* driver_of(const dmi_link* links, uint32_t count, uint32_t
     return NULL;
 }
 
-/* Returns how many links drive a part one over the other; more than there are: round in a circle. */
+/* Returns how many links drive a part one over the other. A number above `count` means that they form a circle. */
 static uint32_t depth_of(const dmi_link* links, uint32_t count, uint32_t part) {
     uint32_t depth = 0;
     for (const dmi_link* up = driver_of(links, count, part); up != NULL && depth <= count; depth++)
@@ -27,7 +27,7 @@ bool dmi_links_order(dmi_link* links, uint32_t count, dmi_link* scratch) {
     uint32_t sorted = 0;
     for (uint32_t i = 0; i < count; i++) {
         if (links[i].kind != DM_LINK_MOVES) continue;
-        if (driver_of(links, count, links[i].driven) != &links[i]) return false; /* another one drives it too */
+        if (driver_of(links, count, links[i].driven) != &links[i]) return false; /* another link drives it too */
         if (depth_of(links, count, links[i].driven) > count) return false;
     }
     for (uint32_t depth = 0; depth <= count && sorted < count; depth++) {
@@ -57,10 +57,11 @@ static void set(dmi_linked_joints joints, uint32_t part, float value, float* val
 void dmi_links_follow(const dmi_link* links, uint32_t count, dmi_linked_joints joints, uint32_t moved, float* values,
                       uint8_t* changed) {
     changed[moved] = 1;
-    for (uint32_t i = count; i-- > 0;) { /* drivers come first: upwards from the end */
+    for (uint32_t i = count; i-- > 0;) { /* drivers come first in the list, so the way up begins at its end */
         const dmi_link* link = &links[i];
         if (link->kind != DM_LINK_MOVES || !link->both_ways || link->ratio == 0 || !changed[link->driven]) continue;
-        if (values[link->driven] == link->offset && beyond(link, values[link->driver]) == 0) continue; /* as it is */
+        if (values[link->driven] == link->offset && beyond(link, values[link->driver]) == 0)
+            continue; /* the driven part stays as it is */
         set(joints, link->driver, link->from + (values[link->driven] - link->offset) / link->ratio, values, changed);
     }
     for (uint32_t i = 0; i < count; i++) {
@@ -70,7 +71,7 @@ void dmi_links_follow(const dmi_link* links, uint32_t count, dmi_linked_joints j
     }
 }
 
-/* Whether a driver has reached `from`, on the side of rest where that lies; 0: always. */
+/* Returns whether a driver has reached `from`, on the side of rest where that lies. With 0 it always has. */
 static bool has_reached(const dmi_link* link, float value) {
     if (link->from > 0) return value >= link->from;
     return link->from == 0 || value <= link->from;

@@ -1,5 +1,5 @@
-/* The screw between two poses of one joint is that joint's own. Between poses of two joints it may lie anywhere, and a
- * large turn about it would swing the grabbed point away from the pointer. So there the part turns about that point. */
+/* Two poses of one joint differ by a screw of that joint. The screw between poses of two joints may lie anywhere, and a
+ * large turn about it would swing the grabbed point away from the pointer. So the part turns about that point there. */
 #include "motion/pose_blend.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-/* Fitted by the scripted player (docs/research/trials_drag.md). */
+/* The values are fitted by the scripted player (docs/research/trials_drag.md). */
 #define TURN_TIME 0.1f       /* s for the rotation at least */
 #define TURN_TIME_SLOPE 0.3f /* s more a radian */
 #define MAX_TURN_TIME 0.6f   /* s */

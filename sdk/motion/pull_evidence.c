@@ -6,11 +6,11 @@
 
 #include "math/elementary.h"
 
-/* Nats that earlier pulls speak against a joint at most, so that a later one revises it; by hand. */
+/* Most nats that earlier pulls speak against a joint, so that a later one can revise it; by hand. */
 #define MOST_EVIDENCE 8.0f
-#define STEPS 8.0f     /* a nat; by hand: finer than any decision needs */
+#define STEPS 8.0f     /* steps a nat; by hand, finer than any decision needs */
 #define MOST_OWN 15.0f /* nats of the own joint's log posterior, either way, that fit a byte; by hand */
-#define MOST_PULLS 255 /* that a byte counts */
+#define MOST_PULLS 255 /* most pulls that a byte counts */
 #define SHOWN_OTHERS 8 /* likeliest of the unranked joints that stand for all of them; by hand, for the time */
 
 /* ---- bytes ---- */
@@ -69,7 +69,8 @@ void dmi_pull_evidence_recall(dmi_hypothesis_tracker* tracker, const dm_joint* r
     }
 }
 
-/* ---- its end ---- */
+/* Returns the log likelihood of the pull under a hypothesis. One that has waited for its update follows the recorded
+ * rays now, and all of them if it has followed none. */
 
 /* Returns the log likelihood of the pull under a hypothesis. One that has waited for its update follows the recorded
  * rays now: all of them if it has followed none. */
@@ -82,8 +83,8 @@ static float likelihood_of(const dmi_hypothesis_tracker* tracker, uint32_t index
     return one.log_posterior - one.log_prior;
 }
 
-/* Returns the log likelihood of the unranked joints together: of the likeliest before the pull, by their odds. Minus
- * infinity: there are none. */
+/* Returns the log likelihood of the unranked joints together: of the likeliest before the pull, by their odds. It is
+ * minus infinity when there are none. */
 static float likelihood_of_others(const dmi_hypothesis_tracker* tracker) {
     float before = 0, after = 0;
     uint32_t shown = 0;

@@ -8,7 +8,8 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define MIN_SINE2 1e-2f             /* squared sine between a circle's two seen directions; below: edge on; by hand */
+/* Squared sine between a circle's two seen directions; below it the circle is edge on; by hand. */
+#define MIN_SINE2 1e-2f
 #define MAX_HALF_TURN_TANGENT 2.75f /* tan of half the farthest turn of a chord, 140 degrees; by hand, test_hands.c */
 #define CHORD_OVERSHOOT 1.1f        /* share of the chord up to which the pointer counts as on it; by hand */
 #define MIN_LENGTH 1e-20f           /* host units: shorter vectors have no direction; rounding */
@@ -84,10 +85,10 @@ void dmi_pull_add(dmi_pull* pull, const dm_ray* ray) {
 
 /* The offset of a point from a ray as it is seen. */
 typedef struct ray_offset {
-    float distance;  /* scaled to the depth of the grabbed point at the start */
-    float depth;     /* of the point along the ray */
-    float scale;     /* from lengths at that depth to lengths at the depth of the grabbed point; 0: behind the eye */
-    float vector[3]; /* from the ray to the point, across the ray */
+    float distance; /* distance as seen, scaled to the depth of the grabbed point at the start */
+    float depth;    /* depth of the point along the ray */
+    float scale; /* factor from lengths at that depth to lengths at the depth of the grabbed point; 0: behind the eye */
+    float vector[3]; /* vector from the ray to the point, across the ray */
 } ray_offset;
 
 static ray_offset offset_from_ray(const dmi_pull* pull, const dm_ray* ray, const float point[3]) {
@@ -100,7 +101,7 @@ static ray_offset offset_from_ray(const dmi_pull* pull, const dm_ray* ray, const
     offset.depth = dmi_dot3(gap, d.v);
     offset.scale = pull->projection == DMI_PARALLEL ? 1 : offset.depth > 0 ? grab_depth / offset.depth : 0;
     dmi_madd3(gap, -offset.depth, d.v, offset.vector);
-    /* Behind the eye: as far as the grabbed point is from the eye. */
+    /* A point behind the eye counts as far off as the grabbed point is from the eye. */
     offset.distance = offset.scale > 0 ? offset.scale * dmi_length3(offset.vector) : grab_depth;
     return offset;
 }
@@ -148,8 +149,8 @@ bool dmi_pull_is_on_chord(const dmi_pull* pull, const dm_joint* joint) {
     if (in > MAX_HALF_TURN_TANGENT * fabsf(along)) return false;
     const float end = 2 * in / (along * along + in * in);
     for (int k = 0; k < 3; k++) chord[k] = end * (along * forward[k] + in * inward[k]);
-    const float depth =
-        1 + dmi_dot3(chord, seen->sight) / seen->eye_distance; /* of the chord's end, grabbed point = 1 */
+    /* Depth of the chord's end, where the grabbed point has 1. */
+    const float depth = 1 + dmi_dot3(chord, seen->sight) / seen->eye_distance;
     return depth > 0 && depth <= CHORD_OVERSHOOT * end;
 }
 

@@ -35,8 +35,8 @@ static arm arm_of(const float point[3], const float axis[3], const float origin[
     return result;
 }
 
-/* Returns the angle about the axis from one arm to the other, of the turns the nearest to `near`; `near` itself for a
- * point on the axis. */
+/* Returns the angle about the axis from one arm to the other. Of those a turn apart it is the nearest to `near`, and
+ * `near` itself for a point on the axis. */
 static float angle_between(const arm* from, const arm* to, const float axis[3], float near) {
     float normal[3];
     dmi_cross3(from->across, to->across, normal);
@@ -46,8 +46,9 @@ static float angle_between(const arm* from, const arm* to, const float axis[3], 
     return angle + DMI_TWO_PI_F * roundf((near - angle) / DMI_TWO_PI_F);
 }
 
-/* path[i] = P_i - p, the joint value that brings p nearest to P_i, and the residual distance. A turn keeps the arm's
- * length and (except for a screw's advance) its height, so the residual is the difference of both. */
+/* Writes the path's features: path[i] = P_i - p, the joint value that brings p nearest to P_i, and the residual
+ * distance. A turn keeps the arm's length and (except for a screw's advance) its height, so the residual is the
+ * difference of both. */
 static void make_path(const dmi_vae_query* query, const float axis[3], const float origin[3],
                       float out_path[DMI_VAE_PATH][5]) {
     const bool turns = dmi_joint_turns(query->joint.type), slides = query->joint.type == DM_JOINT_PRISMATIC;
