@@ -6,13 +6,14 @@
 
 #define SAME_ANGLE 0.003f                                /* rad between directions that are merged; by hand */
 #define SAME_COSINE (1 - 0.5f * SAME_ANGLE * SAME_ANGLE) /* its cosine, to second order */
-#define MIN_LENGTH 1e-6f                                 /* object sizes, of a vector that has a direction; by hand */
-#define MAX_PATCH_RESIDUAL 0.12f                         /* of rotational slippage, for a patch's axis; by hand */
-#define MAX_SLIP_RESIDUAL 0.3f   /* of rotational slippage, for the axis of the part or a contact; by hand */
-#define MAX_PATCH_SIZE 1.2f      /* part diagonals, of a body patch whose centre is taken; by hand */
+#define MIN_LENGTH 1e-6f                                 /* object sizes; a shorter vector has no direction; by hand */
+#define MAX_PATCH_RESIDUAL 0.12f /* largest residual of rotational slippage for a patch's axis; by hand */
+/* Largest residual of rotational slippage for the axis of the part or a contact; by hand. */
+#define MAX_SLIP_RESIDUAL 0.3f
+#define MAX_PATCH_SIZE 1.2f      /* part diagonals; a larger body patch gives no centre; by hand */
 #define MAX_ACROSS_COSINE 0.3f   /* |cosine| to the drag of directions that are made perpendicular to it; by hand */
-#define MIN_ACROSS_COSINE 0.005f /* the same: below it they are perpendicular already; by hand */
-#define MIN_CROSS_SINE 0.1f      /* between the drag and a vector that it is crossed with; by hand */
+#define MIN_ACROSS_COSINE 0.005f /* the same; below it they are perpendicular already; by hand */
+#define MIN_CROSS_SINE 0.1f      /* least sine between the drag and a vector that it is crossed with; by hand */
 
 static void add_direction(dmi_candidate_sources* s, const float d[3], uint32_t family) {
     float unit[3];

@@ -4,9 +4,9 @@
 
 #include "kinematics/candidates/candidates.h"
 
-#define DMI_MAX_SOURCE_DIRECTIONS 64 /* by hand */
-#define DMI_MAX_SOURCE_POINTS 128    /* of points, and of lines; by hand */
-#define DMI_MIN_CONTACT_POINTS 5     /* of a contact region that suggests something; by hand */
+#define DMI_MAX_SOURCE_DIRECTIONS 64 /* most directions; by hand */
+#define DMI_MAX_SOURCE_POINTS 128    /* most points, and most lines; by hand */
+#define DMI_MIN_CONTACT_POINTS 5     /* least points of a contact region that suggests something; by hand */
 
 typedef struct dmi_source_direction {
     float d[3];        /* unit; its sign is arbitrary */
@@ -31,7 +31,7 @@ typedef struct dmi_candidate_sources {
     uint32_t direction_count, point_count, line_count;
 } dmi_candidate_sources;
 
-/* hint, prediction: NULL, or given. drag: hint->vector, unit. */
+/* Finds the sources. hint, prediction: NULL when there is none. drag: hint->vector, unit. */
 void dmi_candidate_sources_find(const dmi_part_analysis* analysis, const dmi_drag_hint* hint, const float drag[3],
                                 const dmi_prediction* prediction, dmi_candidate_sources* out);
 

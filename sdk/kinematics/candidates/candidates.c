@@ -7,15 +7,15 @@
 #define SAME_ANGLE 0.003f                                /* rad between axes that are merged; by hand */
 #define SAME_COSINE (1 - 0.5f * SAME_ANGLE * SAME_ANGLE) /* its cosine, to second order */
 #define SAME_ORIGIN 0.0015f                              /* object sizes between lines that are merged; by hand */
-#define NEAR_DRAG_COSINE                                                                                               \
-    0.8f /* between a candidate's velocity at the grabbed point and the drag (37 degrees); by hand */
-#define FAR_DRAG_COSINE                                                                                                \
-    0.5f /* the same of candidates that come after those: a straight pull along an axis of the room is up to 55        \
-            degrees off; by hand */
-#define MAX_AXIS_COSINE 0.6f /* between a revolute axis and the drag (at least 53 degrees apart); by hand */
-#define MIN_ARM 0.02f        /* part diagonals from a revolute axis to the grabbed point; by hand */
-#define MAX_OFFSET 3         /* part diagonals from the part's centre to a revolute axis ... by hand */
-#define MIN_MAX_OFFSET 1.5f  /* ... or object sizes, whichever is more; by hand */
+/* Least cosine between a candidate's velocity at the grabbed point and the drag, 37 degrees; by hand. */
+#define NEAR_DRAG_COSINE 0.8f
+/* The same for the candidates that come after those: a straight pull along an axis of the room is up to 55 degrees off;
+ * by hand. */
+#define FAR_DRAG_COSINE 0.5f
+#define MAX_AXIS_COSINE 0.6f /* cosine between a revolute axis and the drag (at least 53 degrees apart); by hand */
+#define MIN_ARM 0.02f        /* part diagonals from a revolute axis to the grabbed point, at least; by hand */
+#define MAX_OFFSET 3         /* part diagonals from the part's centre to a revolute axis, at most …; by hand */
+#define MIN_MAX_OFFSET 1.5f  /* … or object sizes, whichever is more; by hand */
 
 enum { RECTANGLE_POINTS = 9 }; /* corners, centres of the sides, centre: 3 x 3 */
 
@@ -23,7 +23,7 @@ typedef struct collector {
     const dmi_part_analysis* analysis;
     const dmi_drag_hint* hint;
     float drag[3];                   /* unit */
-    float least_cosine, most_cosine; /* between a candidate's velocity at the grabbed point and the drag */
+    float least_cosine, most_cosine; /* cosines between a candidate's velocity at the grabbed point and the drag */
     dmi_candidate* out;
     uint32_t count;
 } collector;
@@ -32,7 +32,8 @@ static bool within(const collector* c, float cosine) {
     return fabsf(cosine) >= c->least_cosine && fabsf(cosine) < c->most_cosine;
 }
 
-/* Signs the axis so that the grabbed point moves along the drag. Returns whether it does, within the cosines. */
+/* Signs the axis so that the grabbed point moves along the drag. Returns whether the cosine between both is in
+ * range. */
 static bool follow_drag(const collector* c, float axis[3], const float origin[3]) {
     if (c->hint == NULL) return true;
     float arm[3], velocity[3];

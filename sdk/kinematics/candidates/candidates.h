@@ -7,7 +7,7 @@
 #include "kinematics/kpp/kpp_prediction.h"
 #include "math/linear3.h"
 
-#define DMI_CANDIDATES_MAX 1536 /* by hand */
+#define DMI_CANDIDATES_MAX 1536 /* most candidates; by hand */
 
 /* Sources of a direction (bits). */
 enum {
@@ -33,15 +33,15 @@ enum {
     DMI_ORIGIN_CONTACT_CLUSTER = 1 << 3, /* box centre of a cluster of a contact region */
     DMI_ORIGIN_SHELL = 1 << 4,           /* centre of a shell of the part */
     DMI_ORIGIN_PATCH = 1 << 5,           /* centre of a smooth region of the part */
-    DMI_ORIGIN_NEAR_SHELL = 1 << 6,      /* of the body near it */
-    DMI_ORIGIN_NEAR_PATCH = 1 << 7,      /* of the body near it */
+    DMI_ORIGIN_NEAR_SHELL = 1 << 6,      /* centre of a shell of the body near the part */
+    DMI_ORIGIN_NEAR_PATCH = 1 << 7,      /* centre of a smooth region of the body near the part */
     DMI_ORIGIN_CORNER = 1 << 8,          /* edge of the box along the axis */
     DMI_ORIGIN_SIDE = 1 << 9,            /* centre line of a face of the box */
     DMI_ORIGIN_INSET = 1 << 10,          /* half a thickness from a side */
-    DMI_ORIGIN_CONTACT_BOX = 1 << 11,    /* the same of a contact region's box */
+    DMI_ORIGIN_CONTACT_BOX = 1 << 11,    /* half a thickness from a side of a contact region's box */
     DMI_ORIGIN_SLIP = 1 << 12,           /* slippage of the part or a contact */
     DMI_ORIGIN_LINE = 1 << 13,           /* axis of a patch of the part */
-    DMI_ORIGIN_NEAR_LINE = 1 << 14,      /* of the body */
+    DMI_ORIGIN_NEAR_LINE = 1 << 14,      /* axis of a patch of the body */
     DMI_ORIGIN_NETWORK = 1 << 15         /* predicted by KPP-Net */
 };
 #define DMI_ORIGIN_FAMILIES 16
@@ -68,13 +68,13 @@ static inline void dmi_candidate_velocity(const dmi_candidate* c, const float po
 void dmi_prediction_candidates(const dmi_prediction* prediction, const float centre[3], dmi_candidate out[2],
                                float out_probability[2]);
 
-/* Makes the candidates. hint and prediction may be NULL. Axes are signed by the drag if there is one. Returns their
- * number, 1 .. DMI_CANDIDATES_MAX. */
+/* Makes the candidates. hint and prediction may be NULL. A drag signs the axes. Returns how many there are, 1 ..
+ * DMI_CANDIDATES_MAX. */
 uint32_t dmi_candidates_make(const dmi_part_analysis* analysis, const dmi_drag_hint* hint,
                              const dmi_prediction* prediction, dmi_candidate* out);
 
 /* Adds turns about lines through a point along unit directions, and slides along them, where a drag allows them and no
- * candidate is the same. count: the candidates there are. Returns their number with those added. */
+ * candidate is the same. count: the number of candidates before. Returns their number with those added. */
 uint32_t dmi_candidates_add_through(const dmi_part_analysis* analysis, const dmi_drag_hint* hint, const float point[3],
                                     const float (*directions)[3], uint32_t direction_count, dmi_candidate* candidates,
                                     uint32_t count);

@@ -3,9 +3,9 @@
 
 #include "math/linear3.h"
 
-#define MAX_POINTS 256       /* of a region, evenly chosen: the clustering is quadratic; by hand */
+#define MAX_POINTS 256       /* most points of a region, evenly chosen, because the clustering is quadratic; by hand */
 #define LINK_DISTANCE 0.05f  /* part diagonals between points of one cluster when all are used; by hand */
-#define MIN_CLUSTER_POINTS 3 /* by hand */
+#define MIN_CLUSTER_POINTS 3 /* least points of a cluster; by hand */
 
 typedef struct clustering {
     uint32_t points[MAX_POINTS], labels[MAX_POINTS]; /* indices of part points, cluster of each */

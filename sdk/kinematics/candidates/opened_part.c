@@ -5,7 +5,7 @@
 #include "math/joint.h"
 #include "math/linear3.h"
 
-/* How far parts typically open: what generated joints without limits are compared at (training/lab/pose_error.c). */
+/* Typical ways that parts open, by which generated joints without limits are compared (training/lab/pose_error.c). */
 #define TYPICAL_TURN 1.0f  /* rad */
 #define TYPICAL_SLIDE 0.3f /* object sizes */
 

@@ -6,7 +6,7 @@
 #include "kinematics/candidates/candidates.h"
 #include "math/joint.h"
 
-#define DMI_TWIST_POINTS 12 /* by hand */
+#define DMI_TWIST_POINTS 12 /* points whose velocities count; by hand */
 
 /* Velocities of the part's first points, together a vector of unit length. */
 typedef struct dmi_twist {
@@ -17,8 +17,8 @@ typedef struct dmi_twist {
 void dmi_twist_of_candidate(const dmi_part_analysis* analysis, const dmi_candidate* candidate, dmi_twist* out);
 void dmi_twist_of_joint(const dmi_part_analysis* analysis, const dm_joint* joint, dmi_twist* out);
 
-/* Returns the sine of the angle between the two velocity vectors, regardless of sign: 0, the same motion. 1 between a
- * prismatic and another joint. */
+/* Returns the sine of the angle between the two velocity vectors, regardless of sign. It is 0 for the same motion, and
+ * 1 between a prismatic joint and another type. */
 float dmi_twist_difference(const dmi_twist* a, const dmi_twist* b);
 
 #endif

@@ -8,8 +8,8 @@
 #define FLOOR 0.02f         /* least likelihood: no drag rules a hypothesis out; by hand */
 #define AGAINST_STOP 0.35f  /* factor of a joint that has no room along the drag; by hand */
 #define LEAST_WEIGHT 1e-6f  /* keeps a hypothesis of no confidence in the order it had */
-#define LEAST_SPEED 1e-6f   /* object sizes a radian or a unit of way: below it the point does not move */
-#define LEAST_LENGTH 1e-20f /* of a drag, object sizes */
+#define LEAST_SPEED 1e-6f   /* object sizes a radian or a unit of way; a slower point does not move */
+#define LEAST_LENGTH 1e-20f /* shortest drag, object sizes */
 
 static void velocity_at(const dm_joint* joint, const float point[3], float out[3]) {
     if (joint->type == DM_JOINT_FIXED || joint->type == DM_JOINT_UNKNOWN) {
@@ -27,7 +27,7 @@ bool dmi_joint_orient(dm_joint* joint, const dmi_drag_hint* hint) {
     return against;
 }
 
-/* Returns how well an oriented joint explains the drag: by its motion's direction, and by room to go there. */
+/* Returns how well an oriented joint explains the drag, by the direction of its motion and by its room to go there. */
 static float likelihood(const dm_joint* joint, const dmi_drag_hint* hint) {
     float v[3], length = dmi_length3(hint->vector);
     velocity_at(joint, hint->point, v);

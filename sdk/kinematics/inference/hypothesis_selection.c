@@ -23,7 +23,7 @@
 #define ANY_TYPE (-1)
 
 typedef struct leading {
-    uint32_t index; /* of the candidate */
+    uint32_t index; /* index of the candidate */
     float weight;   /* probability that it is near enough, whichever candidate is right */
 } leading;
 
@@ -33,7 +33,7 @@ typedef struct selection {
     float difference[TOP][TOP];
     bool taken[TOP];
     uint32_t count;
-    float type_mass[2]; /* of turns, of slides */
+    float type_mass[2]; /* probabilities of all turns, and of all slides */
 } selection;
 
 static int slides(const selection* s, uint32_t index) {
@@ -70,7 +70,7 @@ static void weigh(selection* s) {
     }
 }
 
-/* The same by where the opened parts end, turns and slides alike. */
+/* Weighs the candidates by where the opened parts end, turns and slides alike. */
 static void weigh_by_pose(selection* s) {
     dmi_opened_part opened[TOP];
     for (uint32_t i = 0; i < s->count; i++)
@@ -95,7 +95,7 @@ static void begin(const dmi_ranked_candidates* ranked, dmi_selection_rule rule, 
     if (rule == DMI_SELECT_BY_POSE) weigh_by_pose(s);
 }
 
-/* Returns the heaviest candidate left; s->count when none is. only: ANY_TYPE, or 0 for turns and 1 for slides. */
+/* Returns the heaviest candidate left, or s->count when none is. only: ANY_TYPE, or 0 for turns and 1 for slides. */
 static uint32_t heaviest(const selection* s, int only) {
     uint32_t best = s->count;
     for (uint32_t i = 0; i < s->count; i++) {

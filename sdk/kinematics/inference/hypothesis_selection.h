@@ -8,14 +8,14 @@
 typedef struct dmi_ranked_candidates {
     const dmi_part_analysis* analysis;
     const dmi_candidate* candidates;
-    const float* probability; /* of each candidate; they sum to 1 */
+    const float* probability; /* probability of each candidate; they sum to 1 */
     uint32_t count;
 } dmi_ranked_candidates;
 
 /* A candidate that became a hypothesis. */
 typedef struct dmi_selected {
     const dmi_candidate* candidate;
-    uint32_t index;  /* of the candidate */
+    uint32_t index;  /* index of the candidate */
     float mass;      /* probability of the candidates that move the part alike, at most that of the one before */
     float type_mass; /* probability of all candidates of its type, turn or slide */
     uint32_t support_count;
@@ -24,7 +24,7 @@ typedef struct dmi_selected {
 
 /* How candidates are weighed, by the probability of those near them, and how the first hypothesis is chosen. */
 typedef enum dmi_selection_rule {
-    DMI_SELECT_HEAVIEST, /* for scores of rules, which are no probabilities */
+    DMI_SELECT_HEAVIEST, /* suits scores of rules, which are no probabilities */
     /* The first is of the type, turn or slide, with more probability in sum. Turns are many candidates
      * that share their probability and slides are few: a single slide may have more than each single turn although
      * turns have more together. */

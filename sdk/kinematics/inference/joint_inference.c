@@ -18,47 +18,47 @@
 #define SCRATCH_BLOCK ((size_t)1 << 20)
 #define SCREW_CERTAIN 0.8f /* KPP-Net's probability from which a turn is a screw; by hand */
 #define USUAL_PITCH 0.02f  /* object sizes a radian, of a screw that no network knows; by hand */
-#define LEAST_ROOM 0.1f    /* of a joint's range, in the drag's direction; by hand */
+#define LEAST_ROOM 0.1f    /* least share of a joint's range that lies in the drag's direction; by hand */
 
 /* Shares of the work, when the part is analysed, when KPP-Net has run, and when the candidates are ranked; measured. */
 #define ANALYSED 0.3f
 #define NETWORK_RUN 0.6f
 #define RANKED 0.9f
 
-/* Of the log odds of a dragged part's confidence when the object has no body, which no training case lacks. Fitted on
- * the parts of 99 generated objects, each alone, and rounded. */
+/* Slope and offset of the log odds of a dragged part's confidence when the object has no body, which no training case
+ * lacks. Fitted on the parts of 99 generated objects, each alone, and rounded. */
 #define ALONE_SLOPE 2.0f
 #define ALONE_OFFSET (-2.0f)
 
 typedef struct work {
     const dmi_inference_query* query;
     dmi_part_analysis analysis;
-    dmi_kpp_ensemble ensemble; /* with KPP-Net alone */
+    dmi_kpp_ensemble ensemble; /* answers of KPP-Net, where there is one */
     dmi_candidate candidates[DMI_CANDIDATES_MAX];
     float features[DMI_CANDIDATES_MAX][DMI_FEATURE_COUNT];
-    float score[DMI_CANDIDATES_MAX]; /* KPP-Net's */
+    float score[DMI_CANDIDATES_MAX]; /* KPP-Net's scores */
     float probability[DMI_CANDIDATES_MAX];
     uint32_t count;
 } work;
 
-/* NULL: by rules. */
+/* Returns the ranker, or NULL when rules take its place. */
 static const dmi_ranker* ranker(const work* w) {
     const dmi_joint_models* models = w->query->models.joints;
     return models != NULL ? &models->ranker : NULL;
 }
 
-/* NULL: by rules. */
+/* Returns the limit networks, or NULL when rules take their place. */
 static const dmi_limit_network* limit_network(const work* w) {
     const dmi_joint_models* models = w->query->models.joints;
     return models != NULL ? &models->limits : NULL;
 }
 
-/* NULL: without KPP-Net. */
+/* Returns KPP-Net's prediction, or NULL when there is no KPP-Net. */
 static const dmi_prediction* prediction(const work* w) {
     return w->query->models.kpp != NULL ? &w->ensemble.prediction : NULL;
 }
 
-/* hint: the drag as KPP-Net is told it; NULL: none. */
+/* Runs KPP-Net. hint: the drag as the network is given it; NULL: none. */
 static dm_result run_kpp_net(dmi_env* env, dmi_arena* arena, const dmi_drag_hint* hint, work* w) {
     const dmi_inference_query* query = w->query;
     if (query->models.kpp == NULL) return DM_OK;
@@ -137,8 +137,8 @@ static bool read_straight_pull(const work* w, dmi_drag_hint* out_hint) {
     return dmi_straight_pull_read(selected[0].candidate, w->features[selected[0].index], w->query->hint, out_hint);
 }
 
-/* KPP-Net knows drags along the first movement alone. Told of a straight pull it takes another joint, so it is asked
- * again, with what geometry makes of the pull. */
+/* Infers the joint from candidates. KPP-Net knows only drags along the first movement. It takes another joint when it
+ * is given a straight pull, so it is asked again with what geometry makes of the pull. */
 static dm_result infer_from_candidates(dmi_env* env, dmi_arena* arena, work* w) {
     dmi_drag_hint first_movement;
     rank_candidates(w);
@@ -230,8 +230,8 @@ static void follow_drag(const dmi_drag_hint* hint, dm_joint* joint) {
     joint->upper = -joint->lower, joint->lower = 0;
 }
 
-/* By pose where names or a pivot speak and no drag does: without either it loses on the development set (measured:
- * docs/research/trials_joints.md). */
+/* Returns the rule of the selection. It goes by pose where names or a pivot say something and no drag does; without
+ * either, that loses on the development set (measured: docs/research/trials_joints.md). */
 static dmi_selection_rule selection_rule(const work* w) {
     if (ranker(w) == NULL) return DMI_SELECT_HEAVIEST;
     const bool by_asset = w->query->hint == NULL && !dmi_asset_hints_are_empty(w->query->asset_hints);
@@ -285,7 +285,7 @@ static bool is_finite(const dm_joint* joint) {
            isfinite(joint->lower) && isfinite(joint->upper);
 }
 
-/* Weights are finite, but what networks make of them may not be. */
+/* Returns whether all numbers are finite. Weights are, but what networks make of them may not be. */
 static bool are_finite(const dmi_hypotheses* hypotheses, const dmi_alternatives* alternatives) {
     for (uint32_t i = 0; i < hypotheses->count; i++)
         if (!is_finite(&hypotheses->joints[i])) return false;

@@ -1,5 +1,5 @@
 /* Infers the joint of one part: mesh + part (+ drag) -> ranked joint hypotheses, from networks and geometry together.
- * All in the object-normalised frame. */
+ * Everything is in the object-normalised frame. */
 #ifndef DMI_INFERENCE_JOINT_INFERENCE_H
 #define DMI_INFERENCE_JOINT_INFERENCE_H
 
@@ -9,7 +9,7 @@
 #include "kinematics/kpp/kpp_net.h"
 #include "kinematics/ranking/alternatives.h"
 
-/* Which weights there are, and how to run them. */
+/* The weights that are loaded, and how to run them. */
 typedef struct dmi_inference_models {
     const dmi_kpp_net* kpp;         /* NULL: geometry alone */
     const dmi_joint_models* joints; /* NULL: candidates are ranked by rules */
@@ -18,19 +18,19 @@ typedef struct dmi_inference_models {
 
 typedef struct dmi_inference_query {
     const dmi_mesh* mesh;
-    const dmi_cloud* cloud; /* of `part` */
+    const dmi_cloud* cloud; /* cloud of `part` */
     dmi_inference_models models;
     const dmi_drag_hint* hint;          /* NULL: none */
     const dmi_asset_hints* asset_hints; /* NULL: none */
-    const uint32_t* welded;             /* dmi_weld_vertices of the mesh, for many parts to share; NULL: welded anew */
-    const dmi_progress* progress;       /* of this inference; NULL: none */
-    dmi_arena* scratch;                 /* left as it was found; NULL: memory of its own */
-    uint32_t part;                      /* index in mesh->parts */
-    int32_t given_type;                 /* DM_JOINT_*; UNKNOWN: to be inferred */
-    int network_alone;                  /* KPP-Net's answers are the only candidates, with its probabilities */
+    const uint32_t* welded; /* dmi_weld_vertices of the mesh, for many parts to share; NULL: they are welded anew */
+    const dmi_progress* progress; /* progress of this inference; NULL: none */
+    dmi_arena* scratch;           /* comes back as it was; NULL: the inference takes memory of its own */
+    uint32_t part;                /* index in mesh->parts */
+    int32_t given_type;           /* DM_JOINT_*; UNKNOWN: to be inferred */
+    int network_alone;            /* KPP-Net's answers are the only candidates, with its probabilities */
 } dmi_inference_query;
 
-/* out_alternatives: NULL, or what a pull may choose from beside the hypotheses. */
+/* Infers the joint. out_alternatives: gets what a pull may choose from beside the hypotheses; may be NULL. */
 dm_result dmi_joint_inference_run(dmi_env* env, const dmi_inference_query* query, dmi_hypotheses* out_hypotheses,
                                   dmi_alternatives* out_alternatives);
 

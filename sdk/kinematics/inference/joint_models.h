@@ -14,7 +14,7 @@ typedef struct dmi_joint_models {
     dmi_limit_network limits;
 } dmi_joint_models;
 
-/* DM_ERROR_WRONG_MODEL for a file of another architecture; earlier versions have one of their own. */
+/* Loads the file. Answers DM_ERROR_WRONG_MODEL for a file of another architecture, as earlier versions have. */
 dm_result dmi_joint_models_load(dmi_env* env, const void* data, size_t size, dmi_joint_models** out_models);
 void dmi_joint_models_destroy(dmi_joint_models* models);
 

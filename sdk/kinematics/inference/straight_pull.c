@@ -6,9 +6,10 @@
 #include "math/elementary.h"
 
 #define EXPLAINED 1e-3f  /* rad: the drag's angle as a feature, where a candidate explains the drag; by hand */
-#define LEAST_BEND 0.05f /* rad between the drag and the first movement: less is a hand's error; by hand */
-/* Of the part's farthest distance from the axis, at which the hand holds. Who pulls straight takes hold of the far end
- * or a handle. Elsewhere the drag is exact, of another joint (measured: slides that are dragged along the room). */
+#define LEAST_BEND 0.05f /* rad between the drag and the first movement; a smaller angle is a hand's error; by hand */
+/* Share of the part's farthest distance from the axis, from which on a hand pulls straight: it takes hold of the far
+ * end or a handle. A hand that holds nearer to the axis gives the exact drag of another joint (measured: slides that
+ * are dragged along the room). */
 #define FAR_OUT 0.9f
 
 bool dmi_straight_pull_read(const dmi_candidate* candidate, const float features[DMI_FEATURE_COUNT],

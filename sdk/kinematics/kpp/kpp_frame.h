@@ -17,7 +17,7 @@ typedef struct dmi_kpp_frame {
 /* What the frame and the shape features are made from; object-normalised. */
 typedef struct dmi_kpp_geometry {
     float centre[3];       /* mean of the part's points */
-    float near_offset[3];  /* from there to the mean of the near points */
+    float near_offset[3];  /* vector from there to the mean of the near points */
     float radius;          /* largest distance of a point of the part from the centre */
     float principal[3][3]; /* directions of the part's points, largest variance first */
     float part_axes[3][3], body_axes[3][3], all_axes[3][3]; /* Manhattan frames */
@@ -30,7 +30,7 @@ static inline void dmi_kpp_frame_rotate(const dmi_kpp_frame* frame, const float 
 }
 
 void dmi_kpp_geometry_make(const dmi_kpp_subset* subset, dmi_kpp_geometry* out);
-/* hint NULL: without a drag. */
+/* Makes the frame. hint: NULL when there is no drag. */
 void dmi_kpp_frame_make(const dmi_cloud* cloud, const dmi_kpp_subset* subset, const dmi_drag_hint* hint,
                         const dmi_kpp_geometry* geometry, dmi_kpp_frame* out);
 /* Transforms a point into the frame. Lengths above 2 are shortened to 2 + ln(length / 2), so that a small part of a

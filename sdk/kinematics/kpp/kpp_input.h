@@ -7,8 +7,8 @@
 #include "kinematics/kpp/kpp_frame.h"
 
 #define DMI_KPP_GROUP DMI_FPS_GROUP /* points of a group */
-#define DMI_KPP_GLOBAL_GROUPS 48    /* of part and body (docs/networks.md) */
-#define DMI_KPP_LOCAL_GROUPS 24     /* of the part (docs/networks.md) */
+#define DMI_KPP_GLOBAL_GROUPS 48    /* groups of part and body together (docs/networks.md) */
+#define DMI_KPP_LOCAL_GROUPS 24     /* groups of the part alone (docs/networks.md) */
 #define DMI_KPP_DIRECTIONS 9        /* the part's frame, the body's frame, the part's principal directions */
 
 /* Channels of a point, in the frame: the paper's ten (§3.5), then seven more. */
@@ -19,22 +19,22 @@ enum {
     DMI_KPP_DRAG_VECTOR = 7, /* unit; zeros without a drag */
     DMI_KPP_OFFSET = 10,     /* twice the offset from the group's centre */
     DMI_KPP_NORMAL = 13,     /* unit */
-    DMI_KPP_NEARNESS = 16,   /* of the other side, 0 .. 1 */
+    DMI_KPP_NEARNESS = 16,   /* nearness of the other side, 0 .. 1 */
     DMI_KPP_CHANNELS = 17
 };
 
 /* Features of the shape, in the frame. */
 enum {
-    DMI_KPP_SHAPE_DIRECTIONS = 0,                                   /* unit, largest component positive */
-    DMI_KPP_SHAPE_PART_BOX = 3 * DMI_KPP_DIRECTIONS,                /* centre, half sides */
-    DMI_KPP_SHAPE_OBJECT_BOX = DMI_KPP_SHAPE_PART_BOX + 3 + 3,      /* the same with ends t replaced by +-ln(1 + |t|) */
-    DMI_KPP_SHAPE_DRAG_POINT = DMI_KPP_SHAPE_OBJECT_BOX + 3 + 3,    /* as of the channels */
-    DMI_KPP_SHAPE_DRAG_VECTOR = DMI_KPP_SHAPE_DRAG_POINT + 3,       /* as of the channels */
-    DMI_KPP_SHAPE_RADIUS = DMI_KPP_SHAPE_DRAG_VECTOR + 3,           /* 0.5 ln(radius) + 1, object-normalised */
-    DMI_KPP_SHAPE_FITS = DMI_KPP_SHAPE_RADIUS + 1,                  /* shares, of the part's frame, the body's, both */
-    DMI_KPP_SHAPE_CONTACT_MEAN = DMI_KPP_SHAPE_FITS + 3,            /* of the part's points in contact with the body */
+    DMI_KPP_SHAPE_DIRECTIONS = 0,                                /* unit, largest component positive */
+    DMI_KPP_SHAPE_PART_BOX = 3 * DMI_KPP_DIRECTIONS,             /* centre, half sides */
+    DMI_KPP_SHAPE_OBJECT_BOX = DMI_KPP_SHAPE_PART_BOX + 3 + 3,   /* the same with ends t replaced by +-ln(1 + |t|) */
+    DMI_KPP_SHAPE_DRAG_POINT = DMI_KPP_SHAPE_OBJECT_BOX + 3 + 3, /* zeros without a drag */
+    DMI_KPP_SHAPE_DRAG_VECTOR = DMI_KPP_SHAPE_DRAG_POINT + 3,    /* unit; zeros without a drag */
+    DMI_KPP_SHAPE_RADIUS = DMI_KPP_SHAPE_DRAG_VECTOR + 3,        /* 0.5 ln(radius) + 1, object-normalised */
+    DMI_KPP_SHAPE_FITS = DMI_KPP_SHAPE_RADIUS + 1,               /* shares, of the part's frame, the body's, both */
+    DMI_KPP_SHAPE_CONTACT_MEAN = DMI_KPP_SHAPE_FITS + 3, /* mean of the part's points in contact with the body */
     DMI_KPP_SHAPE_CONTACT_SPREAD = DMI_KPP_SHAPE_CONTACT_MEAN + 3,  /* their standard deviation */
-    DMI_KPP_SHAPE_CONTACT_SHARE = DMI_KPP_SHAPE_CONTACT_SPREAD + 3, /* of the part's points */
+    DMI_KPP_SHAPE_CONTACT_SHARE = DMI_KPP_SHAPE_CONTACT_SPREAD + 3, /* share of the part's points that are in contact */
     DMI_KPP_SHAPE
 };
 
@@ -47,8 +47,8 @@ typedef struct dmi_kpp_input {
     float shape[DMI_KPP_SHAPE];
 } dmi_kpp_input;
 
-/* Makes the input from one subset of the cloud's points, below DMI_KPP_SUBSETS; the network is trained on the first.
- * hint NULL: without a drag. The function is deterministic and allocates nothing. */
+/* Makes the input from one subset of the cloud's points. The network is trained on subset 0; others lie below
+ * DMI_KPP_SUBSETS. hint: NULL when there is no drag. The function is deterministic and allocates nothing. */
 void dmi_kpp_input_make(const dmi_cloud* cloud, uint32_t subset, const dmi_drag_hint* hint, dmi_kpp_input* out_input);
 /* Computes the same input in a frame rotated by 180 degrees about its first axis. out_input may be input. */
 void dmi_kpp_input_flip(const dmi_kpp_input* input, dmi_kpp_input* out_input);

@@ -23,20 +23,21 @@
 #define MAX_LAYERS GLOBAL_LAYERS
 
 #define SNAP_DIRECTIONS 6                /* axes of the part's and the body's frames: the first of the shape features */
-#define SNAP_COSINE 0.9397f              /* of the angle within which an axis is snapped (20 degrees); by hand */
+#define SNAP_COSINE 0.9397f              /* cosine of the angle within which an axis is snapped (20 degrees); by hand */
 #define ARENA_BLOCK ((size_t)256 * 1024) /* bytes; by hand */
-#define MAX_NAME 64                      /* of a tensor, with the terminating zero */
+#define MAX_NAME 64                      /* bytes of a tensor's name, with the terminating zero */
 #define ALIGNMENT 64                     /* bytes, a cache line: what the kernels expect */
 
-#define STEP_GROUPS 4 /* whose points pass the point MLP together: they fit a level 1 cache; by hand */
+#define STEP_GROUPS 4 /* groups whose points pass the point MLP together: they fit a level 1 cache; by hand */
 #define STEP_POINTS (STEP_GROUPS * DMI_KPP_GROUP)
 
 enum {
     POOLED = 2 * WIDTH,    /* mean and max */
     FEATURES = 2 * POOLED, /* global and local */
     KNOWN = FEATURES + DMI_KPP_SHAPE,
-    AXIS_OUTPUTS = 2 * (3 + DMI_KPP_DIRECTIONS), /* of turn, slide: a vector, a coefficient of each direction */
-    ORIGIN_OUTPUTS = 2 * 3,                      /* a place in the part's box, and an offset */
+    /* A vector and a coefficient of each direction, for a turn and a slide. */
+    AXIS_OUTPUTS = 2 * (3 + DMI_KPP_DIRECTIONS),
+    ORIGIN_OUTPUTS = 2 * 3, /* a place in the part's box, and an offset */
 };
 
 typedef struct encoder {
@@ -51,11 +52,11 @@ struct dmi_kpp_net {
     dmi_arena arena;
     encoder global, local;
     dmi_mlp type, axis, origin, limits;
-    dmi_linear known, line; /* first layer of the candidate-scoring head: for the part, for a candidate */
+    dmi_linear known, line; /* first layer of the candidate-scoring head: columns of the part, columns of a candidate */
     dmi_mlp score;
 };
 
-/* Followed by the transformer's own scratch. */
+/* The transformer's own scratch lies behind this struct. */
 typedef struct scratch {
     _Alignas(ALIGNMENT) float tokens[DMI_KPP_GLOBAL_GROUPS][WIDTH];
     float positions[DMI_KPP_GLOBAL_GROUPS][POSITION_HIDDEN];
@@ -167,7 +168,8 @@ static void snap_axis(const float* shape, float axis[3]) {
         const float along = dmi_dot3(axis, direction);
         if (fabsf(along) > fabsf(best)) best = along, nearest = direction;
     }
-    if (!(fabsf(best) > SNAP_COSINE * length)) return; /* also where weights have overflowed: nothing is near */
+    /* An axis of weights that have overflowed is near nothing either. */
+    if (!(fabsf(best) > SNAP_COSINE * length)) return;
     for (int k = 0; k < 3; k++) axis[k] = copysignf(length, best) * nearest[k];
 }
 

@@ -26,7 +26,8 @@ typedef struct dmi_kpp_output {
 dm_result dmi_kpp_net_load(dmi_env* env, const void* data, size_t size, dmi_kpp_net** out_net);
 void dmi_kpp_net_destroy(dmi_kpp_net* net);
 size_t dmi_kpp_net_scratch_size(const dmi_kpp_net* net);
-/* scratch: dmi_kpp_net_scratch_size bytes, 64-byte aligned. Thread-safe with separate scratch. */
+/* Runs the network. scratch: dmi_kpp_net_scratch_size bytes, 64-byte aligned. Several threads may run it at once, each
+ * with scratch of its own. */
 void dmi_kpp_net_forward(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_input* input, void* scratch,
                          dmi_kpp_output* out_output);
 /* Computes the candidate-scoring head's score (a logit) for each candidate. output: of a forward pass. count <=

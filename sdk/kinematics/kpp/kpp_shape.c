@@ -3,7 +3,7 @@
 
 #include "math/elementary.h"
 
-#define CONTACT_NEARNESS 0.5f /* from which a point of the part is in contact (docs/networks.md); by hand */
+#define CONTACT_NEARNESS 0.5f /* nearness from which a point of the part is in contact (docs/networks.md); by hand */
 
 void dmi_kpp_sign_line(float line[3]) {
     int largest = fabsf(line[1]) > fabsf(line[0]) ? 1 : 0;
@@ -40,7 +40,8 @@ static void write_box(const dmi_kpp_frame* frame, const float (*xyz)[3], uint32_
     }
 }
 
-/* Writes mean, standard deviation and share of the part's points in contact with the body; zeros: there are none. */
+/* Writes mean, standard deviation and share of the part's points in contact with the body; zeros when there are
+ * none. */
 static void write_contact(const dmi_kpp_points* points, float mean[3], float spread[3], float* share) {
     uint32_t count = 0;
     for (int k = 0; k < 3; k++) mean[k] = spread[k] = 0;

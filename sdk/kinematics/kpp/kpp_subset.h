@@ -4,7 +4,7 @@
 
 #include "mesh/cloud.h"
 
-#define DMI_KPP_SUBSETS 4 /* disjoint ones of a cloud */
+#define DMI_KPP_SUBSETS 4 /* disjoint subsets of a cloud */
 /* Points of the subset's blocks (docs/networks.md). */
 #define DMI_KPP_PART_POINTS 512
 #define DMI_KPP_NEAR_POINTS 256

@@ -10,11 +10,13 @@
 #define MAX_ITERATIONS 12           /* docs/networks.md; by hand */
 #define ASSIGNED_COSINE 0.8f        /* |cosine| below which a normal is not assigned (37 degrees); by hand */
 #define PARALLEL_COSINE 0.99f       /* |cosine| of normals that count as along an axis (8 degrees); by hand */
-#define CONVERGED_COSINE 0.9999999f /* between axes before and after an iteration; by hand */
-#define OLD_WEIGHT 1e-3             /* of the old axis in the mean, for axes without normals; by hand */
+#define CONVERGED_COSINE 0.9999999f /* cosine between axes before and after an iteration that ends the fit; by hand */
+#define OLD_WEIGHT 1e-3             /* weight of the old axis in the mean, for axes without normals; by hand */
 #define MIN_EIGENVALUE 1e-12        /* keeps the inverse square root finite */
-#define MAX_LENGTH_ERROR 0.1f       /* of an axis after an iteration, beyond which it is discarded; by hand */
-#define MIN_SECOND_LENGTH 0.1f      /* of the second axis perpendicular to the first, likewise; by hand */
+/* Error of an axis' length after an iteration, beyond which the axis is discarded; by hand. */
+#define MAX_LENGTH_ERROR 0.1f
+/* Length of the second axis perpendicular to the first, below which it is discarded; by hand. */
+#define MIN_SECOND_LENGTH 0.1f
 
 static uint32_t count_of(const dmi_normals* normals) {
     return normals->first_count + normals->second_count;

@@ -1,6 +1,6 @@
-/* How far the faces that look the way a slide goes are from body faces that look at them, and from which its front lies
- * in one plane with body faces that look the same way: the fronts of closed twins beside it, or the edges of its frame.
- * Both must agree. */
+/* Measures two ways of a slide. One is how far the faces that look the way it goes are from body faces that look at
+ * them. The other ends where its front lies in one plane with body faces that look the same way: the fronts of closed
+ * twins beside it, or the edges of its frame. Both must agree. */
 #include "kinematics/limits/closed_pose.h"
 
 #include <float.h>
@@ -27,14 +27,14 @@
 typedef struct closing {
     const dmi_part_analysis* analysis;
     float axis[3];
-    float side;       /* +1 or -1: the way of the joint value */
-    float closed_way; /* from closed, up to which it rests closed */
+    float side;       /* direction of the joint value: +1 or -1 */
+    float closed_way; /* distance from the closed place, up to which the part rests closed */
 } closing;
 
 /* ---- distances to the body along the way ---- */
 
-/* Returns how far a point is from a body sample that lies before it on its way; FLT_MAX: it does not, or the two do not
- * face each other. */
+/* Returns how far a point is from a body sample that lies before it on its way. Returns FLT_MAX when the sample does
+ * not lie there, or the two do not face each other. */
 static float way_between(const closing* c, const float point[3], const float normal[3], const float sample[3],
                          const float sample_normal[3]) {
     float between[3];
@@ -101,7 +101,7 @@ static void meet_sample(const closing* c, uint32_t sample, looking_points* point
     }
 }
 
-/* Returns the way after which enough points meet the body at once; FLT_MAX: they never do. */
+/* Returns the way after which enough points meet the body at once, or FLT_MAX when they never do. */
 static float find_contact(const closing* c) {
     const dmi_part_analysis* a = c->analysis;
     looking_points points;
@@ -124,15 +124,15 @@ static float find_contact(const closing* c) {
 
 /* ---- planes that the front comes flush with ---- */
 
-enum { BINS = 512 }; /* of heights along a slide, over two object sizes about the part */
+enum { BINS = 512 }; /* number of bins of heights along a slide, over two object sizes about the part */
 
-/* Returns the bin of a height; BINS: outside. */
+/* Returns the bin of a height, or BINS when it is outside. */
 static uint32_t bin_of(float height, float zero) {
     const float place = (height - zero) / WITHIN + BINS / 2;
     return place >= 0 && place < BINS ? (uint32_t)place : BINS;
 }
 
-/* Returns the height of the part's front along the way: where most of its points that look back are. */
+/* Returns the height of the part's front along the way, where most of its points that look back are. */
 static float front_of(const closing* c, float zero) {
     uint16_t counts[BINS] = {0};
     float sums[BINS] = {0};
@@ -149,7 +149,8 @@ static float front_of(const closing* c, float zero) {
 }
 
 /* Finds the largest plane of the body, up to `contact`, in which the front may come to lie: the fronts of closed twins,
- * or the edges of its frame. Returns whether there is one; where the front lies in one already, that. */
+ * or the edges of its frame. Where the front lies in such a plane already, it finds that one. Returns whether there is
+ * one. */
 static bool find_flush(const closing* c, float contact, float* out_way) {
     const dmi_part_analysis* a = c->analysis;
     const float zero = dmi_dot3(a->centre, c->axis) * c->side, front = front_of(c, zero);

@@ -1,4 +1,4 @@
-/* Finds collision-free ranges by the sweep that limits are found by. */
+/* Finds collision-free ranges by the same sweep as limits. */
 #include "kinematics/limits/free_range.h"
 
 #include "kinematics/limits/sweep.h"
@@ -12,7 +12,7 @@ dmi_free_range dmi_free_range_of(const dmi_part_analysis* analysis, const dm_joi
     const bool slides = dmi_sweep_slides(&sweep);
     const float step = slides ? SLIDE_EXTENTS * sweep.extent / DMI_SWEEP_SLIDES : DMI_SWEEP_TURN;
     const int steps = slides ? DMI_SWEEP_SLIDES : DMI_SWEEP_TURNS;
-    float up[2], down[2]; /* where it is stopped, and where it is jammed */
+    float up[2], down[2]; /* values where the part is stopped, and where it is jammed */
     dmi_sweep_reach(&sweep, step, steps, up);
     dmi_sweep_reach(&sweep, -step, steps, down);
     if (up[1] < step * (float)steps) out.upper = up[1];

@@ -1,5 +1,5 @@
-/* Measures what tells how far a joint goes: where its sweep meets the body, how far the part comes off it, how both lie
- * along or about the axis, the part's shape, and KPP-Net's guess. */
+/* Measures how far a joint may go: where its sweep meets the body, how far the part comes off it, how both lie along or
+ * about the axis, the part's shape, and KPP-Net's guess. */
 #include "base/sort.h"
 #include "kinematics/limits/limits.h"
 #include "kinematics/limits/sweep.h"
@@ -10,57 +10,59 @@
 enum {
     IS_SLIDE = 0,
     HAS_DRAG,
-    UP_STOPPED, /* how far the part goes up before it is stopped, and jammed; then down */
+    UP_STOPPED, /* how far the part goes up before it is stopped, and before it is jammed; then the same down */
     UP_JAMMED,
     DOWN_STOPPED,
     DOWN_JAMMED,
     ROUNDNESS,       /* 0 for a slide */
-    EXTENT,          /* along the axis, in diagonals */
-    CENTROID_OFFSET, /* from the axis, in diagonals; 0 for a slide */
+    EXTENT,          /* extent along the axis, diagonals */
+    CENTROID_OFFSET, /* distance of the centroid from the axis, diagonals; 0 for a slide */
     THIN_BY_LONG,
     MIDDLE_BY_LONG,
     LOG_DIAGONAL,
     LOG_AREA_RATIO,
-    FREE_SHARE, /* of the points, clear of the body at rest */
-    OFF_UP,     /* 3: how far the part has come off the body at three values; then down */
+    FREE_SHARE, /* share of the points that are clear of the body at rest */
+    OFF_UP,     /* 3 columns: how far the part has come off the body at three values up; then the same down */
     OFF_DOWN = OFF_UP + 3,
-    BOX_COSINES = OFF_DOWN + 3, /* 3: between the axis and the part's box, longest side first */
+    /* 3 columns: cosines between the axis and the sides of the part's box, longest side first. */
+    BOX_COSINES = OFF_DOWN + 3,
     HAS_NETWORK = BOX_COSINES + 3,
     NETWORK_LOWER,
     NETWORK_UPPER,
     NETWORK_REVOLUTE,
     NETWORK_CONTINUOUS,
-    SURROUNDINGS, /* 9 of a slide, or 4 of a turn */
-    /* Of a slide: */
-    SURROUNDED = SURROUNDINGS,          /* share of the samples that lie round the part */
-    BODY_FROM_LOW,                      /* 4: quantiles of the body's heights round the part, from the part's low end */
-    BODY_FROM_HIGH = BODY_FROM_LOW + 4, /* 4: the same from its high end */
+    SURROUNDINGS, /* 9 columns of a slide, or 4 of a turn */
+    /* The columns of a slide: */
+    SURROUNDED = SURROUNDINGS, /* share of the samples that lie round the part */
+    BODY_FROM_LOW,             /* 4 columns: quantiles of the body's heights round the part, from the part's low end */
+    BODY_FROM_HIGH = BODY_FROM_LOW + 4, /* 4 columns: the same from its high end */
     LIMIT_FEATURES = BODY_FROM_HIGH + 4,
-    /* Of a turn: */
-    ANGLE_COSINE = SURROUNDINGS, /* of the angle from the part to the body about the axis */
+    /* The columns of a turn: */
+    ANGLE_COSINE = SURROUNDINGS, /* cosine of the angle from the part to the body about the axis */
     ANGLE_SINE,
-    PART_SPREAD, /* 0: all arms alike, 1: all around */
+    PART_SPREAD, /* 0 when all arms point one way, 1 when they point all around */
     BODY_SPREAD
 };
 _Static_assert(LIMIT_FEATURES == DMI_LIMIT_FEATURES, "limit features");
 
 #define SLIDE_SWEEP 1.2f    /* extents of the part that a slide is swept; by hand */
 #define TURN_SWEEP 1.8f     /* rad to the farthest of the three values of OFF; by hand */
-#define MOST_ROUNDNESS 0.5f /* by hand, as all bounds below */
+#define MOST_ROUNDNESS 0.5f /* set by hand, as all bounds below are */
 #define MOST_OFFSET 2       /* diagonals */
 #define MOST_OFF 1          /* diagonals */
 #define MOST_LENGTH 4       /* units */
 #define AREA_RATIO_UNIT 5
-#define LEAST_SIDE 1e-6f     /* objects; avoids a division by 0 */
-#define SURROUND_RADIUS 1.3f /* of the part's, round the axis: the body within it surrounds the part; by hand */
-#define LEAST_SURROUNDING 8  /* samples: fewer say nothing; by hand */
+#define LEAST_SIDE 1e-6f /* objects; avoids a division by 0 */
+/* Multiple of the part's radius round the axis, within which the body surrounds the part; by hand. */
+#define SURROUND_RADIUS 1.3f
+#define LEAST_SURROUNDING 8 /* samples; fewer say nothing; by hand */
 enum {
     MOST_HEIGHTS = 1024,   /* samples of the body that are sorted; by hand */
     HEIGHT_SAMPLES = 4096, /* samples of the body that are looked at, at most about twice as many; by hand */
-    ARM_SAMPLES = 2048     /* likewise */
+    ARM_SAMPLES = 2048     /* the same for arms */
 };
-static const float off_shares[3] = {0.15f, 0.4f, 0.8f};      /* of the way; by hand */
-static const float quantiles[] = {0.05f, 0.3f, 0.7f, 0.95f}; /* of the heights; by hand */
+static const float off_shares[3] = {0.15f, 0.4f, 0.8f};      /* shares of the way; by hand */
+static const float quantiles[] = {0.05f, 0.3f, 0.7f, 0.95f}; /* quantiles of the heights; by hand */
 
 typedef struct measure {
     const dmi_part_analysis* analysis;
@@ -122,8 +124,8 @@ static uint32_t surrounding_heights(const measure* m, float radius, float height
     return count;
 }
 
-/* Of a slide: writes where the body round the part begins and ends along the axis, relative to the part's ends. For a
- * button this is its height above the body; for a drawer, the length that is inside the body. */
+/* Writes where the body round a slide's part begins and ends along the axis, relative to the part's ends. For a button
+ * this is its height above the body; for a drawer, the length that is inside the body. */
 static void write_surroundings(const measure* m, float* out) {
     const dmi_part_analysis* a = m->analysis;
     const float* axis = m->sweep.moved.axis;
@@ -144,7 +146,7 @@ static void write_surroundings(const measure* m, float* out) {
     }
 }
 
-/* A turn: writes the mean arm of points about the axis, and how they spread around it. */
+/* Writes the mean arm of points about the axis of a turn, and how they spread around it. */
 static void mean_arm(const measure* m, const float (*points)[3], uint32_t count, uint32_t stride, float out_arm[3],
                      float* out_spread) {
     float total = 0;
@@ -159,7 +161,7 @@ static void mean_arm(const measure* m, const float (*points)[3], uint32_t count,
     *out_spread = total > 0 ? 1 - dmi_normalize3(out_arm) / total : 1;
 }
 
-/* A turn: the angle from the part to the body about the axis, and how far each spreads. */
+/* Writes the angle from the part to the body about the axis of a turn, and how far each spreads. */
 static void write_angle(const measure* m, float* out) {
     const dmi_part_analysis* a = m->analysis;
     float part[3], body[3], across[3];

@@ -9,16 +9,17 @@
 
 #include "math/elementary.h"
 
-#define LEAST_RANGE 0.01f /* between the limits, in the features' unit; by hand */
-#define UNLIKELY 1e-3f    /* ranges less probable than this do not count (all alike, each would have more); by hand */
-/* Factor of ranges that begin at rest, where a drag has told to which side the joint opens. Animated props open from
- * where they rest more often than generated objects do; chosen among 1, 1.5, 2 and 4 on game props, with the
+#define LEAST_RANGE 0.01f /* least distance between the limits, in the features' unit; by hand */
+/* Ranges less probable than this do not count; by hand (if all were alike, each would have more). */
+#define UNLIKELY 1e-3f
+/* Factor of ranges that begin at rest, where a drag shows to which side the joint opens. Animated props open from where
+ * they rest more often than generated objects do. It was chosen among 1, 1.5, 2 and 4 on game props, with the
  * development set as a check (docs/research/trials_joints.md). */
 #define RESTS_AT_END 2.0f
 #define LOWEST_LOGIT (-30.0f)
 #define LEAST_UNION 1e-4f /* avoids a division by 0 */
 
-#define BATCH 4 /* joints at a time: they share the weights in the caches, and what they need fits a small stack */
+#define BATCH 4 /* joints at a time, which share the weights in the caches; what they need fits a small stack */
 
 enum { MAX_NAME = 32, HIDDEN = 160, OUTPUTS = 1 + DMI_LIMIT_KINDS * (1 + 2 * DMI_LIMIT_SIZES) };
 
@@ -47,7 +48,7 @@ void dmi_limit_network_read(dmi_loader* loader, dmi_limit_network* out_network) 
         loader->result = dmi_fail(loader->env, DM_ERROR_WRONG_MODEL, "limits.sizes does not rise from 0");
 }
 
-/* Softmax. The least logit is held so that no probability is denormal. */
+/* Computes the softmax. The least logit is held so that no probability is denormal. */
 static void softmax(const float* logits, int count, float* out) {
     float most = -INFINITY, sum = 0;
     for (int i = 0; i < count; i++) most = dmi_fmaxf(most, logits[i]);
@@ -113,7 +114,7 @@ static int best_range(const ranges* all) {
     return best;
 }
 
-/* An unknown input counts as its mean. */
+/* Standardises the inputs. An unknown input counts as its mean. */
 static void standardise(const dmi_limit_network* network, const dmi_limit_query* query, float out[DMI_LIMIT_INPUTS]) {
     const float *mean = network->mean + DMI_LIMIT_FEATURES, *scale = network->scale + DMI_LIMIT_FEATURES;
     for (int i = 0; i < DMI_LIMIT_FEATURES; i++) out[i] = (query->features[i] - network->mean[i]) * network->scale[i];
@@ -131,7 +132,7 @@ static void answer(const dmi_limit_network* network, const float probability[DMI
     if (out->upper - out->lower < LEAST_RANGE) out->upper = out->lower + LEAST_RANGE;
 }
 
-/* count: at most BATCH. */
+/* Predicts limits of up to BATCH joints. */
 static void predict(const dmi_limit_network* network, dmi_isa isa, const dmi_limit_query* queries, uint32_t count,
                     dmi_limit_prediction* out) {
     _Alignas(DMI_ALIGNMENT) float x[BATCH][DMI_LIMIT_INPUTS], y[BATCH][OUTPUTS], hidden[2][BATCH][HIDDEN];

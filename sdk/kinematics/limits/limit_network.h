@@ -9,11 +9,12 @@
 #include "kinematics/features/feature_table.h"
 #include "nn/perceptron.h"
 
-#define DMI_LIMIT_FEATURES 37                                     /* of a sweep: see limits.h */
+#define DMI_LIMIT_FEATURES 37                                     /* features of a sweep, see limits.h */
 #define DMI_LIMIT_INPUTS (DMI_LIMIT_FEATURES + DMI_FEATURE_COUNT) /* the joint's candidate features come after them */
-#define DMI_LIMIT_SIZES 25                                        /* that either side of a range can have */
+#define DMI_LIMIT_SIZES 25                                        /* sizes that either side of a range can have */
 #define DMI_LIMIT_KINDS 8                                         /* components of the mixture of ranges */
-#define DMI_LIMIT_MEMBERS 3 /* of the ensemble: networks fitted alike but for chance err less together (measured) */
+/* Members of the ensemble; networks that differ by chance alone err less together (measured). */
+#define DMI_LIMIT_MEMBERS 3
 
 typedef struct dmi_limit_network {
     float mean[DMI_LIMIT_INPUTS], scale[DMI_LIMIT_INPUTS];
@@ -21,10 +22,10 @@ typedef struct dmi_limit_network {
     dmi_perceptron members[DMI_LIMIT_MEMBERS];
 } dmi_limit_network;
 
-/* DM_ERROR_WRONG_MODEL when the sizes do not rise from 0. */
+/* Reads the networks. Answers DM_ERROR_WRONG_MODEL when the sizes do not rise from 0. */
 void dmi_limit_network_read(dmi_loader* loader, dmi_limit_network* out_network);
 
-#define DMI_LIMIT_ROWS DM_MAX_HYPOTHESES /* joints at a time: they share the weights in the caches */
+#define DMI_LIMIT_ROWS DM_MAX_HYPOTHESES /* joints at a time, which share the weights in the caches */
 
 typedef struct dmi_limit_query {
     const float* candidate; /* its candidate features, DMI_FEATURE_COUNT; NULL: unknown */
@@ -32,13 +33,13 @@ typedef struct dmi_limit_query {
     bool dragged; /* a drag has told to which side it opens */
 } dmi_limit_query;
 
-/* In the features' unit. */
+/* Predicted limits, in the features' unit. */
 typedef struct dmi_limit_prediction {
     float lower, upper; /* lower <= 0 <= upper, at least a hundredth apart */
-    float free;         /* > 0: nothing stops it */
+    float free;         /* the joint is free when above 0: nothing stops it */
 } dmi_limit_prediction;
 
-/* count: at most DMI_LIMIT_ROWS. */
+/* Predicts the limits of `count` joints, at most DMI_LIMIT_ROWS. */
 void dmi_limit_network_predict(const dmi_limit_network* network, dmi_isa isa, const dmi_limit_query* queries,
                                uint32_t count, dmi_limit_prediction* out);
 

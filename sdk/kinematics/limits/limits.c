@@ -1,5 +1,5 @@
-/* Limits from a sweep of the part's samples through the body's distance grid: by the limit networks, or by rules
- * without them. */
+/* Finds limits by a sweep of the part's samples through the body's distance grid. The limit networks read it, or rules
+ * do without them. */
 #include "kinematics/limits/limits.h"
 
 #include "kinematics/limits/sweep.h"
@@ -7,13 +7,13 @@
 #include "math/elementary.h"
 #include "math/joint.h"
 
-#define ROUND 0.02f /* diagonals: least mean distance of a turned part from itself that is no round part; by hand */
-#define ROUND_CELLS 0.5f            /* cells of the part's grid on top of it; by hand */
-#define UNSTOPPED 3.1f              /* rad either way of a part that nothing stops; by hand */
+#define ROUND 0.02f      /* diagonals; a turned part whose mean distance from itself is less is round; by hand */
+#define ROUND_CELLS 0.5f /* cells of the part's grid, added to that; by hand */
+#define UNSTOPPED 3.1f   /* rad either way of a part that nothing stops; by hand */
 #define USUAL_OPENING DMI_HALF_PI_F /* rad: a quarter turn; by hand */
 #define USUAL_TRAVEL 0.8f           /* extents of the part along a slide: drawers stay on their runners; by hand */
-#define AWAY_SHARE 0.2f             /* of the sweep, where it is measured which way leads away from the body; by hand */
-#define AWAY_WEIGHT 4               /* of that, in diagonals, against room, in sweeps; by hand */
+#define AWAY_SHARE 0.2f             /* share of the sweep over which the way away from the body is measured; by hand */
+#define AWAY_WEIGHT 4               /* weight of that way, in diagonals, against room, in sweeps; by hand */
 
 static bool is_round(const dmi_sweep* s) {
     return dmi_sweep_roundness(s) < ROUND + ROUND_CELLS * s->analysis->part_grid.cell / s->analysis->diagonal;
@@ -28,7 +28,7 @@ static void limit_turn(const dmi_sweep* s, dm_joint* joint) {
         joint->lower = -DMI_PI_F, joint->upper = DMI_PI_F;
         return;
     }
-    /* Assumes that the part rests closed: it opens to the side with more room. */
+    /* The part is assumed to rest closed, and to open to the side with more room. */
     joint->upper = up[0] >= -down[0] ? dmi_fminf(up[0], USUAL_OPENING) : 0;
     joint->lower = up[0] >= -down[0] ? 0 : dmi_fmaxf(down[0], -USUAL_OPENING);
     if (joint->upper - joint->lower < DMI_SWEEP_TURN) joint->upper = USUAL_OPENING, joint->lower = 0;
@@ -52,7 +52,7 @@ void dmi_limits_face_room(const dmi_part_analysis* analysis, dm_joint* joint) {
     float up[2], down[2];
     dmi_sweep_reach(&s, step, steps, up);
     dmi_sweep_reach(&s, -step, steps, down);
-    /* Opening leads away from the body even where the sweep meets nothing on either side. */
+    /* The way that leads away from the body decides also where the sweep meets nothing on either side. */
     const float room = (up[0] + up[1] + down[0] + down[1]) / (step * (float)steps);
     const float value = AWAY_SHARE * step * (float)steps;
     const float away = dmi_sweep_clearance(&s, value).mean - dmi_sweep_clearance(&s, -value).mean;

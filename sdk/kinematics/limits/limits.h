@@ -1,23 +1,23 @@
-/* Limits of joints: how far a joint goes from rest before the part meets the body; where nothing stops it, a usual
- * opening. */
+/* Limits of joints: how far a joint goes from rest before the part meets the body. Where nothing stops it, a usual
+ * opening is the limit. */
 #ifndef DMI_LIMITS_LIMITS_H
 #define DMI_LIMITS_LIMITS_H
 
 #include "kinematics/candidates/candidates.h"
 #include "kinematics/limits/limit_network.h"
 
-/* Measures what tells the limits of a joint: its sweep to either side, its shape, KPP-Net's guess. Returns the unit
+/* Measures what the limits of a joint depend on: its sweep to either side, its shape, KPP-Net's guess. Returns the unit
  * that limits are learnt in: 1 rad, or the part's extent along a slide. prediction may be NULL. */
 float dmi_limits_features(const dmi_part_analysis* analysis, const dmi_prediction* prediction, int with_drag,
                           const dm_joint* joint, float out[DMI_LIMIT_FEATURES]);
 
-/* Signs a joint that no drag signs: positive is the side with more room before the part meets the body. */
+/* Signs a joint without a drag. The side with more room before the part meets the body becomes positive. */
 void dmi_limits_face_room(const dmi_part_analysis* analysis, dm_joint* joint);
 
 /* Sets lower and upper of revolute, prismatic or screw joints (inner frame), and turns a revolute one that nothing
- * stops into a continuous one; count: at most DM_MAX_HYPOTHESES. with_drag: positive follows a drag; else the
- * joints come back with the longer way on the positive side. features: each joint's candidate features. prediction and
- * network (then by rules) may be NULL. */
+ * stops into a continuous one. count: at most DM_MAX_HYPOTHESES. with_drag: positive follows a drag; else the joints
+ * come back with the longer way on the positive side. features: each joint's candidate features. prediction and network
+ * may be NULL; without a network, rules set the limits. */
 void dmi_limits_set(const dmi_part_analysis* analysis, const dmi_prediction* prediction, int with_drag,
                     const dmi_limit_network* network, dmi_isa isa, const float* const* features, dm_joint* joints,
                     uint32_t count);

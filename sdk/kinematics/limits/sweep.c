@@ -6,9 +6,9 @@
 
 #define STOPPED 0.03f      /* share of the free points that must meet the body; by hand */
 #define JAMMED 0.15f       /* share that no gap or thin shell explains; by hand */
-#define TOUCH_CELLS 2.1f   /* cells of the body's grid: nearer than this a point touches the body at rest; by hand */
-#define HIT_CELLS 0.9f     /* cells: nearer than this a free point has met the body; by hand */
-#define LEAST_EXTENT 0.01f /* objects, along the axis; by hand */
+#define TOUCH_CELLS 2.1f   /* cells of the body's grid; a point that is nearer touches the body at rest; by hand */
+#define HIT_CELLS 0.9f     /* cells; a free point that is nearer has met the body; by hand */
+#define LEAST_EXTENT 0.01f /* least extent along the axis, object sizes; by hand */
 #define ROUND_TURNS 3      /* turns at which roundness is measured, a third of the points each … */
 #define FIRST_ROUND 0.4f   /* … rad; by hand: no fraction of a turn … */
 #define NEXT_ROUND 2.1f    /* … rad */

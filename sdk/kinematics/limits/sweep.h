@@ -1,4 +1,5 @@
-/* Sweeps a part along a joint through the distance grid of its body: what stops it, how far it comes off. */
+/* Sweeps a part along a joint through the distance grid of its body. It finds what stops the part, and how far it comes
+ * off. */
 #ifndef DMI_LIMITS_SWEEP_H
 #define DMI_LIMITS_SWEEP_H
 
@@ -6,8 +7,8 @@
 #include "kinematics/analysis/batched_transform.h"
 #include "kinematics/analysis/part_analysis.h"
 
-#define DMI_SWEEP_POINTS DMI_POINT_BATCH /* of the part */
-#define DMI_SWEEP_TURN 0.05f             /* rad: a step of a turn; by hand */
+#define DMI_SWEEP_POINTS DMI_POINT_BATCH /* points of the part that are swept */
+#define DMI_SWEEP_TURN 0.05f             /* rad of one step of a turn; by hand */
 #define DMI_SWEEP_TURNS 63               /* steps to half a turn */
 #define DMI_SWEEP_SLIDES 48              /* steps of a slide */
 
@@ -16,7 +17,7 @@ typedef struct dmi_sweep {
     const dm_joint* joint; /* inner frame */
     float origin[3];
     dmi_batched_transform moved;
-    float extent;                   /* of the part along the axis, at least 0.01 */
+    float extent;                   /* extent of the part along the axis, at least 0.01 */
     int32_t free[DMI_SWEEP_POINTS]; /* 1: clear of the body at rest */
     int32_t free_count;
 } dmi_sweep;
@@ -36,8 +37,8 @@ typedef struct dmi_clearance {
 } dmi_clearance;
 dmi_clearance dmi_sweep_clearance(const dmi_sweep* s, float value);
 
-/* Returns the mean distance from itself, in diagonals, of the part turned by three angles: small for a knob, a wheel, a
- * cap. */
+/* Returns the mean distance of the part from itself, in diagonals, when it is turned by three angles. It is small for a
+ * knob, a wheel, a cap. */
 float dmi_sweep_roundness(const dmi_sweep* s);
 
 #endif
