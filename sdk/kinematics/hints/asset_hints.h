@@ -7,7 +7,7 @@
 
 #include "kinematics/hints/modifier_priors.h"
 
-/* In the object-normalised frame. Zeros: the asset says nothing. */
+/* The hints of one part, in the object-normalised frame. Zeros: the asset says nothing. */
 typedef struct dmi_asset_hints {
     dmi_label_kind label;
     float up[3];     /* unit */

@@ -4,20 +4,20 @@
 #include "math/elementary.h"
 #include "math/linear3.h"
 
-/* By hand, in round numbers; what each means is learnt (hint_weights.def). */
-#define UPRIGHT_COSINE 0.94f /* of 20 degrees */
-#define LEVEL_COSINE 0.34f   /* of 70 degrees */
-#define ALONG_COSINE 0.95f   /* of 18 degrees, to a side of the part's box */
+/* The values are set by hand, in round numbers. What each feature means is learnt (hint_weights.def). */
+#define UPRIGHT_COSINE 0.94f /* cosine of 20 degrees */
+#define LEVEL_COSINE 0.34f   /* cosine of 70 degrees */
+#define ALONG_COSINE 0.95f   /* cosine of 18 degrees, to a side of the part's box */
 #define CENTRE_REACH 0.2f    /* half sides */
 #define INSIDE_REACH 0.75f   /* half sides */
 #define EDGE_REACH 1.3f      /* half sides */
 #define HIGH 0.6f            /* half heights above or below the middle */
 #define SIDEWAYS 0.5f        /* cosine from which an axis lies to a side */
 #define OFF_CENTRE 0.1f      /* part diagonals between the part's centre and the object's, from which there are sides */
-#define ALIGNED_COSINE 0.99985f /* of 1 degree, between a joint's axis and a pivot's */
+#define ALIGNED_COSINE 0.99985f /* cosine of 1 degree, between a joint's axis and a pivot's */
 #define ON_DISTANCE 0.004f      /* part diagonals between a line and a pivot that it passes through, one sigma */
-#define NEAR_DISTANCE 0.03f     /* the same, of a pivot that it is meant to pass through */
-#define THIN 0.06f              /* part diagonals: a half side below it is a plate's thickness */
+#define NEAR_DISTANCE 0.03f     /* the same for a pivot that the line is meant to pass through */
+#define THIN 0.06f              /* part diagonals; a half side below it is a plate's thickness */
 #define IN_THE_MIDDLE 0.06f     /* half sides from the centre ... */
 #define AT_THE_END 0.06f        /* part diagonals from the end of a side */
 
@@ -25,7 +25,7 @@ static uint32_t bit(dmi_kind_feature feature) {
     return 1u << feature;
 }
 
-/* Returns the index of the box's axis that a unit direction runs along; -1: none. */
+/* Returns the index of the box's axis that a unit direction runs along, or -1 when it runs along none. */
 static int along_side(const dmi_box* box, const float axis[3]) {
     for (int i = 0; i < 3; i++)
         if (fabsf(dmi_dot3(axis, box->axes[i])) > ALONG_COSINE) return i;
@@ -41,7 +41,8 @@ static uint32_t direction_features(const dmi_hint_frame* frame, const float axis
     return bits;
 }
 
-/* Returns how far a line runs from the centre of the part's box, in half sides: the most of the two across it. */
+/* Returns how far a line runs from the centre of the part's box, in half sides: the larger of the two distances across
+ * it. */
 static float reach(const dmi_hint_frame* frame, const dmi_candidate* c) {
     const dmi_box* box = &frame->analysis->box;
     float offset[3], most = 0;
@@ -55,8 +56,8 @@ static float reach(const dmi_hint_frame* frame, const dmi_candidate* c) {
     return most;
 }
 
-/* Returns -1, 0 or 1: whether the line lies from the box's centre against a direction, aside, or along it. `least`: of
- * the direction's length across the line, from which it tells sides. */
+/* Returns 1 when the line lies from the box's centre along a direction, -1 when it lies against it, and 0 when it lies
+ * aside. least: share of the direction's length across the line, from which on it has sides. */
 static int side_along(const dmi_hint_frame* frame, const dmi_candidate* c, const float direction[3], float least) {
     float offset[3], across[3];
     dmi_sub3(c->origin, frame->box_centre, offset);
@@ -101,7 +102,7 @@ static dmi_pivot_place face_place(const dmi_asset_hints* hints, const float axis
     return rise > UPRIGHT_COSINE ? DMI_PIVOT_TOP : rise < -UPRIGHT_COSINE ? DMI_PIVOT_BOTTOM : DMI_PIVOT_SIDE;
 }
 
-/* Tells where the pivot lies in the part's box along three axes. A plate's thickness does not count: all of it is
+/* Returns where the pivot lies in the part's box along three axes. A plate's thickness does not count: all of it is
  * middle and end. */
 static dmi_pivot_place place_in_box(const dmi_asset_hints* hints, const float axes[3][3], const float low[3],
                                     const float high[3], float diagonal) {

@@ -1,4 +1,4 @@
-/* How a candidate joint lies to what the asset says: the features that the weights of hint_weights.def count. */
+/* Features of a candidate joint against what the asset says. The weights of hint_weights.def count them. */
 #ifndef DMI_HINTS_HINT_FEATURES_H
 #define DMI_HINTS_HINT_FEATURES_H
 
@@ -7,10 +7,10 @@
 
 /* Features of a candidate that a kind of part makes likelier or not. Each is 0 or 1. Side: half the box's extent. */
 typedef enum dmi_kind_feature {
-    DMI_KIND_SLIDE_UPRIGHT, /* along the up direction, within 20 degrees */
-    DMI_KIND_SLIDE_LEVEL,   /* across it, within 20 degrees */
+    DMI_KIND_SLIDE_UPRIGHT, /* it slides along the up direction, within 20 degrees */
+    DMI_KIND_SLIDE_LEVEL,   /* it slides across the up direction, within 20 degrees */
     DMI_KIND_SLIDE_OBLIQUE,
-    DMI_KIND_SLIDE_LONG, /* along the longest side of the part's box, within 18 degrees */
+    DMI_KIND_SLIDE_LONG, /* it slides along the longest side of the part's box, within 18 degrees */
     DMI_KIND_SLIDE_MIDDLE,
     DMI_KIND_SLIDE_SHORT,
     DMI_KIND_TURN_UPRIGHT,
@@ -20,14 +20,14 @@ typedef enum dmi_kind_feature {
     DMI_KIND_TURN_MIDDLE,
     DMI_KIND_TURN_SHORT,
     DMI_KIND_TURN_CENTRE,  /* the axis runs through the middle of the box: at most a fifth of a side from its centre */
-    DMI_KIND_TURN_INSIDE,  /* less than three quarters of a side */
-    DMI_KIND_TURN_EDGE,    /* at most 1.3 sides */
-    DMI_KIND_TURN_OUTSIDE, /* farther */
-    DMI_KIND_TURN_TOP,     /* level, and above three fifths of the part's upper half */
+    DMI_KIND_TURN_INSIDE,  /* the axis is less than three quarters of a side from there */
+    DMI_KIND_TURN_EDGE,    /* the axis is at most 1.3 sides from there */
+    DMI_KIND_TURN_OUTSIDE, /* the axis is farther away */
+    DMI_KIND_TURN_TOP,     /* the axis is level, and lies above three fifths of the part's upper half */
     DMI_KIND_TURN_BOTTOM,
     DMI_KIND_TURN_OUTER, /* the axis lies off the box's centre to the side away from the object's centre */
-    DMI_KIND_TURN_INNER, /* to the side towards it */
-    DMI_KIND_TURN_FRONT, /* to the side of glTF's front, where the up direction is glTF's too */
+    DMI_KIND_TURN_INNER, /* the axis lies off to the side towards it */
+    DMI_KIND_TURN_FRONT, /* the axis lies off to the side of glTF's front, where the up direction is glTF's too */
     DMI_KIND_TURN_BACK,
     DMI_KIND_FEATURES
 } dmi_kind_feature;
@@ -36,23 +36,23 @@ typedef enum dmi_kind_feature {
 typedef enum dmi_pivot_place {
     DMI_PIVOT_MIDDLE,  /* the box's centre */
     DMI_PIVOT_BOTTOM,  /* the centre of its lower face */
-    DMI_PIVOT_TOP,     /* of its upper face */
-    DMI_PIVOT_SIDE,    /* of another face */
-    DMI_PIVOT_EDGE,    /* on an edge or corner, not in the centre of a face */
-    DMI_PIVOT_INSIDE,  /* elsewhere in the box */
-    DMI_PIVOT_OUTSIDE, /* outside the box */
-    DMI_PIVOT_DEFAULT, /* at the file's origin, and in none of the places above that are no accident */
+    DMI_PIVOT_TOP,     /* the centre of its upper face */
+    DMI_PIVOT_SIDE,    /* the centre of another face */
+    DMI_PIVOT_EDGE,    /* a place on an edge or corner, not in the centre of a face */
+    DMI_PIVOT_INSIDE,  /* another place in the box */
+    DMI_PIVOT_OUTSIDE, /* a place outside the box */
+    DMI_PIVOT_DEFAULT, /* the file's origin, where it is none of the places above that are no accident */
     DMI_PIVOT_PLACES
 } dmi_pivot_place;
 
 /* How a candidate lies to a pivot. Each is between 0 and 1. */
 typedef enum dmi_pivot_feature {
     DMI_PIVOT_SLIDE,         /* it slides */
-    DMI_PIVOT_SLIDE_ALIGNED, /* along an axis of the pivot, within 1 degree */
-    DMI_PIVOT_TURN_ALIGNED,  /* it turns about a direction that is one */
+    DMI_PIVOT_SLIDE_ALIGNED, /* it slides along an axis of the pivot, within 1 degree */
+    DMI_PIVOT_TURN_ALIGNED,  /* it turns about a direction that is such an axis */
     DMI_PIVOT_NEAR,          /* its line passes the pivot at a few hundredths of the part's diagonal */
-    DMI_PIVOT_ON,            /* at a few thousandths */
-    DMI_PIVOT_ON_ALIGNED,    /* both */
+    DMI_PIVOT_ON,            /* its line passes the pivot at a few thousandths of it */
+    DMI_PIVOT_ON_ALIGNED,    /* both of these are so: ON and TURN_ALIGNED */
     DMI_PIVOT_SLIDE_THROUGH, /* it slides, and the pivot lies that way from the middle of the part's box */
     DMI_PIVOT_ON_MIDDLE,     /* it turns about a line through the pivot and the middle of the part's box */
     DMI_PIVOT_FEATURES
@@ -63,8 +63,8 @@ typedef struct dmi_hint_frame {
     const dmi_asset_hints* hints;
     const dmi_part_analysis* analysis;
     float box_centre[3];
-    float outward[3];                 /* from the object's centre to the box's, part diagonals */
-    float middle_height, half_height; /* of the part along the up direction */
+    float outward[3];                 /* vector from the object's centre to the box's, part diagonals */
+    float middle_height, half_height; /* heights of the part along the up direction */
     dmi_pivot_place place;
 } dmi_hint_frame;
 

@@ -7,8 +7,9 @@
 #include "math/elementary.h"
 #include "math/linear3.h"
 
-/* Factor of the weights of a pivot that breaks the rule of the asset's others. The weights are fitted on pivots of
- * which 0.28 were left where a program had put them (training/lab/hint_draw.c); these are not among them. By hand. */
+/* Factor of the weights of a pivot that breaks the rule of the asset's others; by hand. The weights are fitted on
+ * pivots of which 0.28 were left where a program had put them (training/lab/hint_draw.c), and such a pivot is not among
+ * those. */
 #define SET_TRUST 1.25f
 
 /* Factor of what modifiers say where a drag says how the part moves; by hand. */
@@ -20,7 +21,7 @@ static const float kind_weights[DMI_KIND_COUNT][DMI_KIND_FEATURES] = {
 #include "kinematics/hints/hint_weights.def"
 };
 
-/* By kind: what the part's own name adds to the log odds of sliding where no drag tells the type. */
+/* What the part's own name adds to the log odds of sliding where no drag tells the type, by kind. */
 static const float kind_slides[DMI_KIND_COUNT] = {
 #define KIND_SLIDES(kind, value) [DMI_KIND_##kind] = (value),
 #include "kinematics/hints/hint_weights.def"
@@ -32,7 +33,7 @@ static const float pivot_weights[DMI_PIVOT_PLACES][DMI_PIVOT_FEATURES] = {
 #include "kinematics/hints/hint_weights.def"
 };
 
-/* Factors of the kind's weights: the part's own name says it, a name above it does. */
+/* Factors of the kind's weights: where the part's own name says it, and where a name above it does. */
 static const float label_trust[2] = {
 #define LABEL_TRUST(...) __VA_ARGS__
 #include "kinematics/hints/hint_weights.def"

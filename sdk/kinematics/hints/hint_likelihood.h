@@ -5,13 +5,13 @@
 #include "kinematics/hints/hint_features.h"
 
 /* Adds candidates whose axes run through the pivot, along its axes and those of the part's box. Returns the number of
- * candidates. They come after the prefilter, which they pass by. */
+ * candidates. They are added after the prefilter and do not pass it. */
 uint32_t dmi_hints_add_candidates(const dmi_asset_hints* hints, const dmi_part_analysis* analysis,
                                   const dmi_drag_hint* drag, dmi_candidate* candidates, uint32_t count);
 
 /* Multiplies the probabilities of a part's candidates by the likelihood of the hints for each, and scales them to the
- * sum 1. The hints must say something. drag NULL: none. Then a name also tells whether its kind turns or slides: with
- * one it would overrule the drag, as of a disc that turns and is called a button (measured). */
+ * sum 1. The hints must say something. drag: NULL when there is none. A name tells whether its kind turns or slides
+ * only then. With a drag it would overrule the drag, as for a disc that turns and is called a button (measured). */
 void dmi_hints_weigh(const dmi_asset_hints* hints, const dmi_part_analysis* analysis, const dmi_drag_hint* drag,
                      const dmi_candidate* candidates, uint32_t count, float* probability);
 

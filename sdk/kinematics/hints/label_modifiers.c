@@ -1,4 +1,4 @@
-/* Looks the words of a label up in modifiers.def: a bag of words, in which order says nothing. */
+/* Looks the words of a label up in modifiers.def. The label is a bag of words: their order says nothing. */
 #include "kinematics/hints/label_modifiers.h"
 
 #include <string.h>

@@ -12,8 +12,8 @@ typedef enum dmi_modifier {
     DMI_MODIFIER_COUNT
 } dmi_modifier;
 
-/* Returns the modifiers that one folded word tells, a bit each. out_rest: where a modifier is the beginning of a longer
- * word, what follows the longest such beginning, as "tor" in "rolltor"; else NULL. */
+/* Returns the modifiers that one folded word tells, a bit each. out_rest: what follows the longest modifier that begins
+ * a longer word, such as "tor" in "rolltor"; else NULL. */
 uint32_t dmi_modifiers_of_word(const char* word, const char** out_rest);
 /* Returns the modifiers that all names of a label tell, by how near they stand: [0] of the last name, [1] of the names
  * above it. label NULL: none. */

@@ -7,8 +7,8 @@
 /* Unicode blocks whose letters are folded. */
 enum {
     FIRST_CONTINUATION = 0x80,
-    FIRST_LATIN = 0xC0,      /* of Latin-1's letters */
-    LAST_LATIN = 0x17F,      /* of Latin Extended-A */
+    FIRST_LATIN = 0xC0,      /* first and last of Latin-1's letters */
+    LAST_LATIN = 0x17F,      /* last letter of Latin Extended-A */
     FIRST_COMBINING = 0x300, /* accents that follow their letter */
     LAST_COMBINING = 0x36F,
     CYRILLIC_UPPER = 0x410,
@@ -32,7 +32,7 @@ static const utf8_form utf8_forms[] = {{0xE0, 0xC0, 0x80}, {0xF0, 0xE0, 0x800}, 
 
 typedef struct splitter {
     dmi_label_words* out;
-    size_t length; /* of the word in progress */
+    size_t length; /* length of the word in progress */
 } splitter;
 
 static bool is_upper(char c) {
@@ -57,7 +57,7 @@ static void append(splitter* s, const char* bytes, size_t count) {
     word[s->length] = 0;
 }
 
-/* Decodes the character at `at`. Returns its bytes; 0 where there is no valid UTF-8. */
+/* Decodes the character at `at`. Returns how many bytes it has, or 0 where there is no valid UTF-8. */
 static size_t decode(const char* at, const char* end, uint32_t* out_character) {
     static const uint8_t tail_mask = 0xC0, tail_bits = 6, payload = 0x3F;
     for (size_t form = 0; form < sizeof utf8_forms / sizeof *utf8_forms; form++) {

@@ -1,13 +1,13 @@
-/* Priors from how such leaves are built; nothing here is fitted. A word that names a mechanism is taken to be right in
- * nine of ten assets and more, so that it outweighs a shape that speaks for another one with three to one. */
+/* Priors that follow from how such leaves are built. Nothing here is fitted. A word that names a mechanism is taken to
+ * be right in nine of ten assets and more, so that it outweighs a shape that favours another mechanism three to one. */
 #include "kinematics/hints/modifier_priors.h"
 
 #include "kinematics/hints/hint_features.h"
 
-#define ONLY 2.0f     /* log weight of what the mechanism is */
-#define USUAL 1.0f    /* of what it mostly is */
-#define RARE (-1.0f)  /* of what it is in some builds */
-#define NEVER (-2.0f) /* of what the word rules out */
+#define ONLY 2.0f     /* log weight of what the mechanism always is */
+#define USUAL 1.0f    /* log weight of what it mostly is */
+#define RARE (-1.0f)  /* log weight of what it is in some builds */
+#define NEVER (-2.0f) /* log weight of what the word rules out */
 #define SLIGHT 0.5f
 #define NEUTRAL_SLIDE (-0.4f) /* takes back what the kind of windows says for the slide (hint_weights.def) */
 
@@ -22,7 +22,7 @@
     }
 
 static const float priors[DMI_MODIFIER_COUNT][DMI_KIND_FEATURES] = {
-    /* In its own plane, sideways or, as a hatch, up. A slide through its own thickness takes it off. */
+    /* It slides in its own plane, sideways or, as a hatch, up. A slide through its own thickness takes it off. */
     [DMI_MODIFIER_SLIDING] = {NO_TURN, [DMI_KIND_SLIDE_LEVEL] = USUAL, [DMI_KIND_SLIDE_SHORT] = NEVER},
     /* It hangs on wheels on a rail along the wall; some barns have a pair of hinged leaves. */
     [DMI_MODIFIER_BARN] = {[DMI_KIND_SLIDE_LEVEL] = ONLY,
@@ -35,7 +35,7 @@ static const float priors[DMI_MODIFIER_COUNT][DMI_KIND_FEATURES] = {
                                [DMI_KIND_SLIDE_UPRIGHT] = RARE,
                                [DMI_KIND_TURN_UPRIGHT] = RARE,
                                [DMI_KIND_TURN_LEVEL] = NEVER},
-    /* Up and over: it turns about a level axis in its upper part, or rises. A pair of hinged leaves is older. */
+    /* An up-and-over door turns about a level axis in its upper part, or rises. A pair of hinged leaves is older. */
     [DMI_MODIFIER_GARAGE] = {[DMI_KIND_TURN_LEVEL] = USUAL,
                              [DMI_KIND_TURN_TOP] = SLIGHT,
                              [DMI_KIND_TURN_BOTTOM] = NEVER,
@@ -43,7 +43,7 @@ static const float priors[DMI_MODIFIER_COUNT][DMI_KIND_FEATURES] = {
                              [DMI_KIND_SLIDE_LEVEL] = RARE,
                              [DMI_KIND_SLIDE_SHORT] = NEVER,
                              [DMI_KIND_TURN_UPRIGHT] = RARE},
-    /* It rolls up on a drum over the opening: what is seen of it rises. */
+    /* It rolls up on a drum over the opening, so what is seen of it rises. */
     [DMI_MODIFIER_ROLLING] = {[DMI_KIND_SLIDE_UPRIGHT] = ONLY,
                               [DMI_KIND_SLIDE_LEVEL] = RARE,
                               [DMI_KIND_SLIDE_SHORT] = NEVER,
@@ -60,13 +60,13 @@ static const float priors[DMI_MODIFIER_COUNT][DMI_KIND_FEATURES] = {
                                 [DMI_KIND_TURN_INNER] = SLIGHT, [DMI_KIND_TURN_CENTRE] = SLIGHT},
     /* It swings about an upright edge. */
     [DMI_MODIFIER_HINGED] = {NO_SLIDE, [DMI_KIND_TURN_UPRIGHT] = USUAL, [DMI_KIND_TURN_EDGE] = USUAL},
-    /* Any leaf of a window: some slide, some swing. */
+    /* It may be any leaf of a window: some slide, some swing. */
     [DMI_MODIFIER_SASH] = {[DMI_KIND_SLIDE_UPRIGHT] = NEUTRAL_SLIDE,
                            [DMI_KIND_SLIDE_LEVEL] = NEUTRAL_SLIDE,
                            [DMI_KIND_SLIDE_OBLIQUE] = NEUTRAL_SLIDE},
     /* It slides up and down on cords. */
     [DMI_MODIFIER_HUNG] = {NO_TURN, [DMI_KIND_SLIDE_UPRIGHT] = ONLY, [DMI_KIND_SLIDE_SHORT] = NEVER},
-    /* It makes a trapdoor of a door (part_kind.c), and says no more. */
+    /* It makes a trapdoor of a door (part_kind.c), and says nothing else. */
     [DMI_MODIFIER_HATCH] = {0},
     /* It hangs from its upper edge. */
     [DMI_MODIFIER_AWNING] = {NO_SLIDE, [DMI_KIND_TURN_LEVEL] = ONLY, [DMI_KIND_TURN_TOP] = USUAL,
@@ -81,7 +81,7 @@ static const float priors[DMI_MODIFIER_COUNT][DMI_KIND_FEATURES] = {
 #define OF_DOORS (WAYS | SIDES | BIT(BARN) | BIT(ELEVATOR) | BIT(GARAGE) | BIT(ROLLING) | BIT(FOLDING) | BIT(REVOLVING))
 #define OF_WINDOWS (WAYS | SIDES | BIT(ROLLING) | BIT(FOLDING) | BIT(SASH) | BIT(HUNG) | BIT(AWNING))
 
-/* By kind: the modifiers that mean something of it. NOTHING: the noun is not known. */
+/* Modifiers that mean something for a part of each kind. NOTHING: the noun is not known. */
 static const uint32_t of_kind[DMI_KIND_COUNT] = {
     [DMI_KIND_NOTHING] = WAYS,
     [DMI_KIND_DOOR] = OF_DOORS,
@@ -98,7 +98,7 @@ static const uint32_t of_kind[DMI_KIND_COUNT] = {
 
 dmi_label_modifiers dmi_modifiers_that_count(dmi_part_kind kind, dmi_label_modifiers modifiers) {
     dmi_label_modifiers out = {modifiers.own & of_kind[kind], modifiers.above & of_kind[kind]};
-    if (kind == DMI_KIND_NOTHING) out.above = 0; /* they may be of anything that the asset has */
+    if (kind == DMI_KIND_NOTHING) out.above = 0; /* these may belong to anything that the asset has */
     const uint32_t sides = (out.own & SIDES) != 0 ? out.own & SIDES : out.above & SIDES;
     if (sides == SIDES || (out.own & SIDES) != 0) out.above &= ~SIDES;
     if (sides == SIDES) out.own &= ~SIDES;

@@ -7,11 +7,11 @@
 #include "kinematics/hints/label_modifiers.h"
 #include "kinematics/hints/part_kind.h"
 
-/* Returns the modifiers that mean something of a part of a kind: a roller door is no roller, and a left wheel turns as
+/* Returns the modifiers that mean something for a part of a kind: a roller door is no roller, and a left wheel turns as
  * the right one does. */
 dmi_label_modifiers dmi_modifiers_that_count(dmi_part_kind kind, dmi_label_modifiers modifiers);
-/* Returns what they add to the log probability of a candidate with these kind features (dmi_kind_feature). modifiers:
- * as dmi_modifiers_that_count returns them. above: factor of those of the names above. */
+/* Returns what the modifiers add to the log probability of a candidate with these kind features (dmi_kind_feature).
+ * modifiers: as dmi_modifiers_that_count returns them. above: factor of the modifiers in the names above. */
 float dmi_modifier_likelihood(dmi_label_modifiers modifiers, uint32_t features, float above);
 
 /* Returns what the meaning of a kind's noun adds to the log probability of sliding: a lever turns about its fulcrum. */

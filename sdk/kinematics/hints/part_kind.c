@@ -31,14 +31,14 @@ typedef enum match { MATCH_EXACT, MATCH_PLURAL, MATCH_END, MATCH_BEGINNING, MATC
 typedef struct finding {
     dmi_part_kind kind;
     match match;
-    size_t length; /* of the lexicon's word */
+    size_t length; /* length of the lexicon's word */
 } finding;
 
 static bool is_ideographic(const char* word) {
     return (unsigned char)*word >= FIRST_IDEOGRAPH;
 }
 
-/* Returns whether one letter added, left out, changed, or swapped with the next makes one word of the other. */
+/* Returns whether one letter added, left out, changed or swapped with the next makes one word of the other. */
 static bool is_misspelt(const char* a, size_t a_length, const char* b, size_t b_length) {
     if (a_length < LEAST_MISSPELT || b_length < LEAST_MISSPELT || *a != *b) return false;
     size_t first = 0, last = 0;
@@ -77,7 +77,7 @@ static finding find_word(const char* word) {
     return best;
 }
 
-/* Finds the kind of two words written as one, "trap door": exact matches alone. */
+/* Finds the kind of two words written as one, such as "trap door". It takes exact matches alone. */
 static dmi_part_kind find_pair(const char* first, const char* second) {
     char both[2 * DMI_WORD_LENGTH_MAX];
     snprintf(both, sizeof both, "%s%s", first, second);
@@ -85,7 +85,7 @@ static dmi_part_kind find_pair(const char* first, const char* second) {
     return found.match <= MATCH_PLURAL ? found.kind : DMI_KIND_NOTHING;
 }
 
-/* Finds the noun behind a modifier in one word, "rolltor". */
+/* Finds the noun behind a modifier in one word, such as "rolltor". */
 static dmi_part_kind find_behind_modifier(const char* word) {
     const char* noun;
     if (dmi_modifiers_of_word(word, &noun) == 0 || noun == NULL) return DMI_KIND_NOTHING;
@@ -93,8 +93,8 @@ static dmi_part_kind find_behind_modifier(const char* word) {
     return found.match <= MATCH_PLURAL ? found.kind : DMI_KIND_NOTHING;
 }
 
-/* Finds the kind of a word: that of the word itself or, where this is but like one of the lexicon, of the noun behind a
- * modifier. */
+/* Finds the kind of a word: that of the word itself or, where this is only similar to one of the lexicon, of the noun
+ * behind a modifier. */
 static dmi_part_kind kind_of_word(const char* word) {
     const finding found = find_word(word);
     if (found.match <= MATCH_PLURAL) return found.kind;

@@ -22,10 +22,10 @@ typedef struct dmi_label_kind {
 } dmi_label_kind;
 
 /* Finds the kind that a label tells: a path of names, outermost first, joined by '/', each UTF-8. The last name that
- * tells a part's kind counts; without one, the last that tells an object's kind. Modifiers are those of all names.
- * label NULL: DMI_KIND_NOTHING. */
+ * tells a part's kind counts; without one, the last that tells an object's kind. Modifiers are those of all names. A
+ * label of NULL is DMI_KIND_NOTHING. */
 dmi_label_kind dmi_kind_of_label(const char* label);
-/* Returns the kind's name in kinds.def; NULL beyond the last kind. */
+/* Returns the kind's name in kinds.def, or NULL beyond the last kind. */
 const char* dmi_kind_name(dmi_part_kind kind);
 
 #endif

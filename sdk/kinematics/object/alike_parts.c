@@ -8,11 +8,12 @@
 #include "kinematics/analysis/part_analysis.h"
 #include "math/linear3.h"
 
-#define SAME_VERTEX 1e-4f /* longest sides of the part, between vertices that are one; by hand */
-#define SAME_MOMENT 3e-4f /* of moments in units of half the near box; by hand: a screw's head in a door's box */
-#define LEAST_SIDE 1e-6f  /* object sizes: avoids a division by zero */
-#define MOST_CORNERS 9    /* of a triangle that is cut by the six sides of a box */
-enum { MOMENTS = 19 };    /* area, its first and second moments, and those of normals by area */
+#define SAME_VERTEX 1e-4f /* longest sides of the part, between two vertices that count as the same; by hand */
+/* Difference of moments in units of half the near box; by hand: a screw's head in a door's box. */
+#define SAME_MOMENT 3e-4f
+#define LEAST_SIDE 1e-6f /* object sizes: avoids a division by zero */
+#define MOST_CORNERS 9   /* most corners of a triangle that is cut by the six sides of a box */
+enum { MOMENTS = 19 };   /* area, its first and second moments, and those of normals by area */
 
 /* A part's shape and its surroundings. */
 typedef struct look {
@@ -25,7 +26,7 @@ typedef struct search {
     const dmi_mesh* mesh;
     const dmi_object* object;
     uint32_t *faces, *first; /* faces sorted by part; per part, its first */
-    look* looks;             /* that differ */
+    look* looks;             /* looks that differ from each other */
     uint32_t count;
 } search;
 
@@ -63,7 +64,7 @@ static void add_triangle(const float a[3], const float b[3], const float c[3], c
     for (int k = 0; k < 3; k++) moments[at++] += area * normal[k];
     for (int i = 0; i < 3; i++)
         for (int k = i; k < 3; k++) {
-            /* literal: of the integral of two coordinates' product over a triangle */
+            /* literal: divisor of the integral of two coordinates' product over a triangle */
             moments[at++] += area / 12 * (a[i] * a[k] + b[i] * b[k] + c[i] * c[k] + sum[i] * sum[k]);
             moments[at++] += area * normal[i] * normal[k];
         }
@@ -140,7 +141,7 @@ static bool are_alike(const search* s, const look* a, const look* b) {
     return same_hints(&s->object->parts[a->part], &s->object->parts[b->part]) && same_shape(s, a, b);
 }
 
-/* Marks the parts that are carried, carry others, or have a pivot, which are like no other. */
+/* Marks the parts that are carried, carry others, or have a pivot. They are like no other part. */
 static void exclude(const dmi_object* object, uint8_t* alone) {
     for (uint32_t i = 1; i < object->part_count; i++) {
         const uint32_t parent = object->parts[i].shape.parent;

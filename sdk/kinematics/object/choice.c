@@ -10,7 +10,7 @@
 
 enum { ENDS = 2 };
 
-/* A part's hypotheses in the host's words, and the ends of their ranges. */
+/* A part's hypotheses as the host gets them, and the ends of their ranges. */
 typedef struct question {
     dm_joint joints[DM_MAX_HYPOTHESES];
     dm_hypothesis hypotheses[DM_MAX_HYPOTHESES];
@@ -24,7 +24,7 @@ static float value_at(const dm_joint* joint, int end) {
     return end ? open : -open;
 }
 
-/* Computes the box of a part at `pose`. Inner frame. */
+/* Computes the box of a part at `pose`, in the inner frame. */
 static void box_at(const dmi_mesh* mesh, uint32_t part, const dm_pose* pose, float min[3], float max[3]) {
     for (int k = 0; k < 3; k++) min[k] = FLT_MAX, max[k] = -FLT_MAX;
     for (uint32_t face = 0; face < mesh->face_count; face++) {

@@ -4,8 +4,8 @@
 
 #include "kinematics/object/object.h"
 
-/* Shows the hypotheses of part `index` to the host, and puts the one it chooses in force. The object has its triangles
- * still. Does nothing for a part that the host has declared fixed. Errors: INDEX_OUT_OF_RANGE. */
+/* Shows the hypotheses of part `index` to the host, and puts the one it chooses in force. The object must still have
+ * its triangles. Does nothing for a part that the host has declared fixed. Errors: INDEX_OUT_OF_RANGE. */
 dm_result dmi_choose_joint(dmi_env* env, dmi_object* object, const dmi_mesh* mesh, uint32_t index,
                            dm_choice_callback choose, void* user);
 

@@ -5,7 +5,7 @@
 
 enum { BYTE_BITS = 8 };
 
-/* Whether numbers lie in memory as in the file, and arrays can be copied. */
+/* Returns whether numbers lie in memory as in the file, so that arrays can be copied. */
 static bool is_little_endian(void) {
     const uint16_t one = 1;
     uint8_t low;

@@ -7,7 +7,7 @@
 
 #include "dragmesh/dragmesh.h"
 
-/* Beyond the end, reads zeros and sets `overrun`. */
+/* A reader of a block of bytes. It reads zeros beyond the end, and sets `overrun`. */
 typedef struct dmi_dmo_reader {
     const uint8_t* at;
     uint64_t left; /* bytes */
@@ -19,9 +19,9 @@ uint32_t dmi_get_u32(dmi_dmo_reader* r);
 uint64_t dmi_get_u64(dmi_dmo_reader* r);
 float dmi_get_f32(dmi_dmo_reader* r);
 double dmi_get_f64(dmi_dmo_reader* r);
-/* `count` numbers of 32 bits, of any type. */
+/* Reads `count` numbers of 32 bits, of any type. */
 void dmi_get_words(dmi_dmo_reader* r, void* out, size_t count);
-/* `count` numbers of 16 bits. */
+/* Reads `count` numbers of 16 bits. */
 void dmi_get_halves(dmi_dmo_reader* r, uint32_t* out, size_t count);
 void dmi_get_signed_halves(dmi_dmo_reader* r, int16_t* out, size_t count);
 void dmi_get_floats(dmi_dmo_reader* r, float* out, size_t count);

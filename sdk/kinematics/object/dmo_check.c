@@ -4,10 +4,10 @@
 #include <float.h>
 #include <math.h>
 
-#define MAX_AREA 1e12f       /* object sizes squared, of a part; by hand */
-#define UNIT_TOLERANCE 2e-5f /* of an axis' squared length; by hand: rounding leaves 2e-7 */
+#define MAX_AREA 1e12f       /* largest area of a part, object sizes squared; by hand */
+#define UNIT_TOLERANCE 2e-5f /* tolerance of an axis' squared length; by hand: rounding leaves 2e-7 */
 
-enum { JOINT_NUMBERS = 6 }; /* of a joint, that need only be finite */
+enum { JOINT_NUMBERS = 6 }; /* numbers of a joint that need only be finite */
 
 bool dmi_dmo_within(const float* values, size_t count, float limit) {
     for (size_t i = 0; i < count; i++) {

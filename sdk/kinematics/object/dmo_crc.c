@@ -1,17 +1,17 @@
-/* CRC-32 by slices (Kounavis and Berry 2005): of sixteen bytes, or of four where a larger table would take longer to
- * make than the bytes. */
+/* Computes the CRC-32 by slices (Kounavis and Berry 2005): sixteen bytes at a time, or four where a larger table would
+ * take longer to make than the bytes. */
 #include "kinematics/object/dmo_format.h"
 
 #include "base/compiler.h"
 
-#define POLYNOMIAL 0xedb88320 /* of IEEE 802.3, bits reversed */
+#define POLYNOMIAL 0xedb88320 /* polynomial of IEEE 802.3, bits reversed */
 #define ALL_BITS 0xffffffff
 #define MANY 8192 /* bytes from which on sixteen at a time are faster; measured */
 
 enum { BYTE_BITS = 8, BYTE_VALUES = 256, BYTE_MASK = 255, FEW_SLICES = 4, MANY_SLICES = 16 };
 
-/* Sets table[k][b] to the contribution of byte b when k more bytes follow it. Takes a microsecond or two, so that it is
- * computed in every call. */
+/* Sets table[k][b] to the contribution of byte b when k more bytes follow it. This takes a microsecond or two, so every
+ * call does it. */
 static void make_table(uint32_t (*table)[BYTE_VALUES], int slices) {
     for (uint32_t b = 0; b < BYTE_VALUES; b++) {
         uint32_t crc = b;

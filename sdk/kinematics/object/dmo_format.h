@@ -49,9 +49,9 @@
 #define DMI_DMO_VERTEX_SIZE (3 * (size_t)4)                          /* bytes of a vertex in TRI */
 #define DMI_DMO_TRIANGLE_SIZE (3 * 4 + 2)                            /* bytes of a triangle in TRI */
 #define DMI_DMO_TREE_LAYOUT 1
-#define DMI_DMO_TREE_HEAD (2 * 4) /* bytes before the parts of TREE, and of each there */
-#define DMI_DMO_NODE_NUMBERS 8    /* of a node in TREE */
-#define DMI_DMO_BLOCK_NUMBERS 4   /* of a block in TREE */
+#define DMI_DMO_TREE_HEAD (2 * 4) /* bytes before the parts of TREE, and of each part there */
+#define DMI_DMO_NODE_NUMBERS 8    /* numbers of a node in TREE */
+#define DMI_DMO_BLOCK_NUMBERS 4   /* numbers of a block in TREE */
 #define DMI_DMO_TAG(a, b, c, d) ((uint32_t)(a) | (uint32_t)(b) << 8 | (uint32_t)(c) << 16 | (uint32_t)(d) << 24)
 #define DMI_DMO_MAGIC DMI_DMO_TAG('D', 'M', 'O', '1')
 

@@ -1,4 +1,4 @@
-/* .dmo bytes -> prepared object. The bytes may come from anywhere: every number is checked before it is used. */
+/* Makes a prepared object of .dmo bytes. They may come from anywhere, so every number is checked before it is used. */
 #include <string.h>
 
 #include <float.h>
@@ -22,7 +22,7 @@ typedef struct loading {
     const dmi_axes* axes;
     const dmi_progress* progress;
     bool same_host;                            /* the host that saved has the same axes and unit */
-    dmi_dmo_reader sections[DMI_DMO_SECTIONS]; /* at NULL: absent */
+    dmi_dmo_reader sections[DMI_DMO_SECTIONS]; /* readers of the sections; an absent section is at NULL */
     dmi_object* object;
 } loading;
 
@@ -91,8 +91,8 @@ static dm_result read_object(loading* load) {
     head.seed = dmi_get_u64(r);
     uint32_t part_count = dmi_get_u32(r);
     if (r->overrun || !dmi_dmo_valid_object(&head)) return bad(load, "section OBJ holds impossible numbers");
-    /* The sections must have the size that these parts need, so that no number makes us allocate more than the file
-     * holds. */
+    /* The sections must have the size that these parts need, so that no number makes the reader allocate more than the
+     * file holds. */
     if (part_count < 2 || part_count > DM_MAX_PARTS + 1 ||
         load->sections[DMI_DMO_PARTS].left != (uint64_t)part_count * DMI_DMO_PART_SIZE ||
         !fits_points(load, part_count)) {
@@ -126,7 +126,7 @@ static dm_result read_parts(loading* load) {
     return dmi_dmo_valid_tree(load->object) ? DM_OK : bad(load, "section PART: the parts do not form a tree");
 }
 
-/* Reads who saved the file; it need not have said so. */
+/* Reads the axes and the unit of the host that saved the file. An older file has none. */
 static void read_host(loading* load) {
     dmi_dmo_reader* r = &load->sections[DMI_DMO_HOST_JOINTS];
     dmi_axes saved;
@@ -139,7 +139,8 @@ static void read_host(loading* load) {
     /* NOLINTEND(bugprone-suspicious-memory-comparison) */
 }
 
-/* Reads where a joint is closed; a file without the section says rest. Returns whether the number is one. */
+/* Reads the value at which a joint is closed. It is rest in a file without the section. Returns whether the number is
+ * valid. */
 static bool read_closed(loading* load, float* out) {
     dmi_dmo_reader* r = &load->sections[DMI_DMO_CLOSED];
     *out = r->at != NULL ? dmi_get_f32(r) : 0;
@@ -215,7 +216,7 @@ static dm_result read_points(loading* load) {
     return DM_OK;
 }
 
-/* A file without the section has no alternatives. */
+/* Reads the alternatives. A file without the section has none. */
 static dm_result read_alternatives(loading* load) {
     dmi_dmo_reader* r = &load->sections[DMI_DMO_ALTERNATIVES];
     if (r->at == NULL) return DM_OK;
@@ -244,7 +245,7 @@ static bool read_free_range(dmi_dmo_reader* r, dmi_free_range* out) {
     return out->lower <= 0 && out->lower >= -FLT_MAX && out->upper >= 0 && out->upper <= FLT_MAX;
 }
 
-/* In a file without the section, nothing is bounded. */
+/* Reads the free ranges. A file without the section bounds nothing. */
 static dm_result read_free_ranges(loading* load) {
     dmi_dmo_reader* r = &load->sections[DMI_DMO_FREE_RANGES];
     bool valid = true;
@@ -260,7 +261,8 @@ static dm_result read_free_ranges(loading* load) {
     return valid ? DM_OK : bad(load, "section FRE holds an impossible range");
 }
 
-/* Bits of a later version are left out: this one can't name them. */
+/* Reads what the object was prepared without. Bits of a later version are dropped, because this one cannot name
+ * them. */
 static dm_result read_degraded(loading* load) {
     const uint32_t known = DM_DEGRADED_NO_KINEMATICS | DM_DEGRADED_NO_RANKER | DM_DEGRADED_HINT | DM_DEGRADED_MESH;
     dmi_dmo_reader* r = &load->sections[DMI_DMO_DEGRADED];
@@ -296,7 +298,7 @@ static dm_result read_arrays(loading* load, size_t vertices, size_t faces, const
     return dmi_progress_tell(load->progress, ARRAYS_READ);
 }
 
-/* Parts have as many triangles as they say, and where they have any, an area. */
+/* Returns whether each part has as many triangles as it states and, where it has any, an area. */
 static dm_result check_faces(const loading* load) {
     const dmi_object* object = load->object;
     for (uint32_t i = 0; i < object->part_count; i++) {
@@ -339,7 +341,7 @@ static dm_result read_triangles(loading* load, bool wide) {
 
 /* ---- trees ---- */
 
-/* Whether the file has trees of a layout that is known. */
+/* Returns whether the file has trees of a known layout. */
 static bool has_trees(loading* load) {
     dmi_dmo_reader* r = &load->sections[DMI_DMO_TREES];
     if (r->at == NULL || r->left < DMI_DMO_TREE_HEAD) return false;
@@ -392,7 +394,8 @@ static dm_result read_trees(loading* load, dmi_picker* picker, const dmi_progres
     return result;
 }
 
-/* Triangles, and trees that are stored, or built where there are none or the context has others. */
+/* Reads the triangles, and the trees that are stored. It builds trees where there are none or the context has
+ * others. */
 static dm_result read_pickable(loading* load, dmi_picker* picker) {
     const dmi_progress building = dmi_progress_piece(load->progress, TRIANGLES_READ, 1);
     const bool stored = has_trees(load) && dmi_picker_restores(picker);

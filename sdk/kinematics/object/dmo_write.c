@@ -1,4 +1,4 @@
-/* Prepared object -> .dmo bytes. */
+/* Writes a prepared object as .dmo bytes. */
 #include <string.h>
 
 #include "kinematics/object/dmo.h"
@@ -8,7 +8,7 @@
 
 typedef struct saved {
     const dmi_object* object;
-    const dmi_bvh* trees; /* of its triangles; NULL: none */
+    const dmi_bvh* trees; /* trees of its triangles; NULL: none */
 } saved;
 
 static void write_object(dmi_dmo_writer* w, const saved* from) {
@@ -39,8 +39,8 @@ static void write_parts(dmi_dmo_writer* w, const saved* from) {
     }
 }
 
-/* Returns the hypothesis whose bits are those of the joint in force, so that loading restores these bits; -1: the joint
- * is the host's. */
+/* Returns the hypothesis whose bits are those of the joint in force, so that loading restores these bits. Returns -1
+ * when the joint is the host's. */
 static int32_t hypothesis_in_force(const dmi_object* object, const dmi_object_part* part) {
     for (uint32_t i = 0; i < part->hypotheses.count; i++) {
         const dm_joint joint = dmi_frame_joint_out(&object->frame, &part->hypotheses.joints[i]);
@@ -144,12 +144,12 @@ static bool has_closed(const dmi_object* object) {
     return false;
 }
 
-/* A writer for element `i` of an array that begins at `begin`. */
+/* Returns a writer for element `i` of an array that begins at `begin`. */
 static dmi_dmo_writer element(const dmi_dmo_writer* w, size_t begin, size_t i, size_t size) {
     return (dmi_dmo_writer){w->out, begin + i * size};
 }
 
-/* In the order that the mesh had. */
+/* Writes the triangles in the order that the mesh had. */
 static void write_triangles(dmi_dmo_writer* w, const saved* from) {
     enum { CORNERS_SIZE = 3 * sizeof(uint32_t) };
     const dmi_packed_mesh* mesh = from->object->mesh;
@@ -192,7 +192,7 @@ static void write_trees(dmi_dmo_writer* w, const saved* from) {
     }
 }
 
-/* Tells which sections an object has. Returns how many. */
+/* Lists the sections that an object has. Returns how many there are. */
 static uint32_t list_sections(const saved* from, bool out_present[DMI_DMO_SECTIONS]) {
     const dmi_object* object = from->object;
     uint32_t count = 0;

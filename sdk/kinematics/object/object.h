@@ -24,20 +24,20 @@ typedef struct dmi_object {
     uint64_t vertex_count, triangle_count, seed;
     dmi_object_part* parts; /* [0] is the body; then parts by rising id */
     uint32_t part_count;    /* the body included */
-    uint32_t degraded;      /* DM_DEGRADED_* that the object was prepared with; without those that it tells itself */
-    bool network_alone;     /* joints are inferred by KPP-Net alone, without geometry and ranker */
-    dmi_packed_mesh* mesh;  /* NULL: no triangles are kept */
-    dmi_bvh* bvh;           /* NULL: no triangles are kept, or nothing picks */
+    uint32_t degraded;  /* DM_DEGRADED_* that the object was prepared with, except those that it can tell from itself */
+    bool network_alone; /* joints are inferred by KPP-Net alone, without geometry and ranker */
+    dmi_packed_mesh* mesh; /* NULL: no triangles are kept */
+    dmi_bvh* bvh;          /* NULL: no triangles are kept, or nothing picks */
 } dmi_object;
 
 /* Creates an object with zeroed parts. */
 dm_result dmi_object_create(dmi_env* env, uint32_t part_count, dmi_object** out_object);
-/* Destroys the object; NULL: does nothing. */
+/* Destroys the object. NULL does nothing. */
 void dmi_object_destroy(dmi_env* env, dmi_object* object);
 /* Frees the triangles, and with them picking and refinement. */
 void dmi_object_drop_triangles(dmi_env* env, dmi_object* object);
 
-/* Returns the index of the part with the host's id; 0: the body, -1: there is none. */
+/* Returns the index of the part with the host's id: 0 for the body, -1 when there is none. */
 int32_t dmi_object_find_part(const dmi_object* object, uint32_t id);
 /* Returns whether part `index` is `ancestor` or one of its descendants. */
 bool dmi_object_moves_with(const dmi_object* object, uint32_t index, uint32_t ancestor);

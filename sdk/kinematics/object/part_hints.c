@@ -7,9 +7,9 @@
 #include "math/vec3.h"
 #include "mesh/part_pivots.h"
 
-#define SAME_PLACE 1e-4f /* object sizes between pivots that are one; by hand */
+#define SAME_PLACE 1e-4f /* object sizes between two pivots that count as one place; by hand */
 #define FARTHEST 1e3f    /* object sizes from the object's centre to a pivot that still says something; by hand */
-#define MANY_PARTS 3     /* that share a pivot which was then left where it was, not set; by hand */
+#define MANY_PARTS 3     /* parts that share a pivot from which on it counts as left where it was, not set; by hand */
 
 static dm_result check_label(dmi_env* env, const char* what, const char* label) {
     if (label == NULL || strnlen(label, DM_MAX_LABEL + 1) <= DM_MAX_LABEL) return DM_OK;
@@ -85,8 +85,8 @@ static void mark_shared(dmi_object* object) {
     }
 }
 
-/* Returns the pivots of an object's parts, one a part; NULL where there is none or it is known already whether somebody
- * has set it. */
+/* Lists the pivots of an object's parts, one a part. An entry is NULL where there is no pivot, or where it is already
+ * known whether somebody has set it. */
 static void list_pivots(const dmi_object* object, const dm_part_desc* parts, uint32_t count, const dm_pivot** out) {
     for (uint32_t i = 0; i < object->part_count; i++) out[i] = NULL;
     for (uint32_t i = 0; i < count; i++) {
@@ -115,7 +115,7 @@ static dm_result judge_pivots(dmi_env* env, const dmi_mesh* mesh, dmi_object* ob
     return DM_OK;
 }
 
-/* Puts what a part's label says before what is said of the whole object. */
+/* Puts what a part's label says in front of what is said of the whole object. */
 static void join_labels(dmi_label_kind own, dmi_label_kind* inout) {
     own.modifiers.above |= inout->modifiers.above;
     if (own.kind == DMI_KIND_NOTHING) own.kind = inout->kind, own.depth = inout->depth;

@@ -7,11 +7,11 @@
 /* What an object's descriptor says of all its parts. */
 typedef struct dmi_object_labels {
     const char* label; /* NULL: none */
-    dm_vec3 up;        /* host object frame; 0: of the axes */
+    dm_vec3 up;        /* host object frame; 0: that of the axes */
 } dmi_object_labels;
 
-/* Sets asset_hints of all parts. mesh: of the object. parts: count descriptors; NULL, 0: none. Errors: NOT_FINITE,
- * TOO_LARGE for a label. */
+/* Sets asset_hints of all parts. mesh: the object's. parts: `count` descriptors; NULL with a count of 0: none. Errors:
+ * NOT_FINITE, TOO_LARGE for a label. */
 dm_result dmi_object_read_hints(dmi_env* env, const dmi_mesh* mesh, dmi_object* object, const dmi_object_labels* labels,
                                 const dm_part_desc* parts, uint32_t count);
 

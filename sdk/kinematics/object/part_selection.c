@@ -5,8 +5,8 @@
 
 #include "kinematics/object/object_mesh.h"
 
-/* Numbers the parts that are kept; the others have the number of the part that carries them. Returns their count, the
- * body included. */
+/* Numbers the parts that are kept. The others get the number of the part that carries them. Returns how many are kept,
+ * the body included. */
 static uint32_t number_parts(const dmi_object* object, const uint8_t* keep, uint32_t* out_number) {
     uint32_t count = 1;
     out_number[0] = 0;
@@ -36,7 +36,7 @@ static dm_result renumber(dmi_env* env, const dmi_object* object, const uint8_t*
     const uint32_t room = mesh->part_count;
     mesh->part_count = part_count;
     const dm_result result = dmi_mesh_measure(env, NULL, mesh);
-    mesh->part_count = room; /* what is given back */
+    mesh->part_count = room; /* the memory is freed by the count that it was allocated for */
     return result;
 }
 

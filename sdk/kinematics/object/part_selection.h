@@ -4,9 +4,9 @@
 
 #include "kinematics/object/object.h"
 
-/* Makes an object of the parts for which keep is not 0; triangles of the others go with what carries them. Joints stay
- * as they are. object: with its mesh. keep: one a part; that of the body is not read. keep_triangles: also the new
- * object keeps its mesh, with trees to pick by. */
+/* Makes an object of the parts for which keep is not 0. The triangles of the others go to what carries them. Joints
+ * stay as they are. object: must have its mesh. keep: one number a part; the body's is not read. keep_triangles: the
+ * new object keeps its mesh too, with trees to pick by. */
 dm_result dmi_object_select_parts(dmi_env* env, dmi_picker* picker, const dmi_object* object, const uint8_t* keep,
                                   bool keep_triangles, dmi_object** out_object);
 

@@ -1,4 +1,4 @@
-/* Prepares an object: mesh -> BVH -> for each part a cloud and joint inference. Parts run on the host's workers. */
+/* Prepares an object: mesh -> BVH -> a cloud and a joint inference for each part. Parts run on the host's workers. */
 #include "kinematics/object/prepare.h"
 
 #include <stdio.h>
@@ -15,13 +15,13 @@
 #define SCRATCH_BLOCK ((size_t)1 << 20) /* bytes, of the arenas; by hand */
 #define MESH_DONE 0.05f                 /* progress reported when the mesh is checked; by hand */
 #define BVH_DONE 0.1f                   /* progress reported when the BVH is built; by hand */
-#define SHARED 0.12f                    /* and when the vertices are welded and the part masks are repaired */
-#define WELDED 0.5f                     /* share of these two, when the vertices are welded; measured */
-#define SAMPLED 0.1f                    /* share of one inference, when the part is sampled; measured */
-#define PACKED 0.055f                   /* and when its triangles are packed; measured */
-#define UNPACKED 0.1f                   /* progress of a refinement when the mesh is computed again; by hand */
-#define REFINING 0.5f                   /* progress of a refinement when the mesh is shared; by hand */
-#define MAX_FIELD_NAME 64               /* of a field in an error message, with the terminating zero */
+#define SHARED 0.12f      /* progress reported when the vertices are welded and the part masks are repaired */
+#define WELDED 0.5f       /* share of these two, when the vertices are welded; measured */
+#define SAMPLED 0.1f      /* share of one inference, when the part is sampled; measured */
+#define PACKED 0.055f     /* progress reported when its triangles are packed; measured */
+#define UNPACKED 0.1f     /* progress of a refinement when the mesh is computed again; by hand */
+#define REFINING 0.5f     /* progress of a refinement when the mesh is shared; by hand */
+#define MAX_FIELD_NAME 64 /* bytes of a field's name in an error message, with the terminating zero */
 
 /* Input and result of one part's inference. */
 typedef struct part_request {
@@ -32,20 +32,20 @@ typedef struct part_request {
 
 /* The mesh that all parts' analyses read. */
 typedef struct shared_mesh {
-    dmi_mesh mesh; /* with repaired part masks */
+    dmi_mesh mesh; /* mesh with repaired part masks */
     const uint32_t* welded;
 } shared_mesh;
 
 typedef struct preparation {
     dmi_env* env;
     const dmi_prepare_desc* desc;
-    const dmi_progress* progress; /* of the whole call */
+    const dmi_progress* progress; /* progress of the whole call */
     dmi_object* object;
     const dmi_mesh* mesh;
     part_request* requests; /* one per part; the body's is unused */
     shared_mesh shared;
-    const uint32_t* like;   /* per part, the one that is inferred for it, mostly itself; NULL: all themselves */
-    dmi_arena_pool scratch; /* of the parts */
+    const uint32_t* like; /* per part, the one that is inferred for it, mostly itself; NULL: each is inferred itself */
+    dmi_arena_pool scratch; /* arenas of the parts */
     uint32_t first;         /* part of task 0 */
 } preparation;
 
@@ -108,7 +108,8 @@ static dm_result infer_part(dmi_arena* arena, dmi_object* object, uint32_t index
     return DM_OK;
 }
 
-/* What the part is of the whole. Workers report nothing: not from their threads. */
+/* Returns the share that a part has in the whole. Workers report no progress, because the callback is for the calling
+ * thread. */
 static dmi_progress part_progress(const preparation* work, uint32_t index) {
     const float all = (float)(work->object->part_count - 1);
     const dmi_progress parts = dmi_progress_piece(work->progress, SHARED, 1);
@@ -137,13 +138,13 @@ static void DM_CALL prepare_part(void* data, uint32_t task) {
     dmi_arena_pool_put(&work->scratch, arena);
 }
 
-/* Gives the parts of a batch that are like earlier ones, or others of the batch, their answers. */
+/* Gives their answers to the parts of a batch that are like earlier parts, or like others of the batch. */
 static void copy_alike(const preparation* work, uint32_t tasks) {
     for (uint32_t i = work->first; work->like != NULL && i < work->first + tasks; i++)
         if (work->like[i] != i) dmi_alike_part_copy(work->object, work->like[i], i);
 }
 
-/* Looks for parts that are alike where there are many. */
+/* Finds parts that are alike, where there are many. */
 static dm_result find_alike(dmi_arena* arena, preparation* work) {
     const uint32_t count = work->object->part_count;
     if (count - 1 < DMI_MANY_PARTS) return DM_OK;

@@ -22,7 +22,8 @@ typedef struct dmi_prepare_desc {
     void* choose_user;
     dm_progress_callback progress; /* NULL: the context's; called on this thread alone */
     void* progress_user;
-    const dmi_progress* watched; /* of the call that this preparation is a piece of; NULL: it is the whole call */
+    /* Progress of the call that this preparation is a piece of; NULL: it is the whole call. */
+    const dmi_progress* watched;
 } dmi_prepare_desc;
 
 /* Prepares an object. The result has the same bits for any number of workers behind env->jobs. */

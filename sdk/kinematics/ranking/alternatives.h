@@ -1,4 +1,4 @@
-/* Joints that a part may have beside its hypotheses: many, without limits, for a pull to choose from. */
+/* Joints that a part may have beside its hypotheses. They are many, have no limits, and a pull chooses from them. */
 #ifndef DMI_RANKING_ALTERNATIVES_H
 #define DMI_RANKING_ALTERNATIVES_H
 
@@ -28,11 +28,12 @@ static inline dm_joint dmi_alternative_joint(const dmi_alternative* a) {
 typedef struct dmi_alternatives {
     dmi_alternative list[DMI_ALTERNATIVES]; /* most probable first */
     uint32_t count;
-    dmi_free_range slides[3]; /* of slides along the axes of the canonical frame, which a pull may fall back on */
+    /* Free ranges of slides along the axes of the canonical frame, which a pull may fall back on. */
+    dmi_free_range slides[3];
 } dmi_alternatives;
 
-/* Finds the candidates, most probable first, that move the part neither as a hypothesis does nor as one before them.
- * dragged: the probabilities are those with a drag. */
+/* Finds the candidates, most probable first, that move the part unlike every hypothesis and every candidate before
+ * them. dragged: the probabilities are those with a drag. */
 dm_result dmi_alternatives_find(dmi_arena* arena, const dmi_part_analysis* analysis, const dmi_ranker* ranker,
                                 int dragged, const dm_joint* hypotheses, uint32_t hypothesis_count,
                                 const dmi_candidate* candidates, const float* probability, uint32_t count,

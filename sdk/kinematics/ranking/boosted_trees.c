@@ -3,9 +3,9 @@
 
 #include <math.h>
 
-#define BATCH 16 /* rows at a time: each waits for its own memory; measured */
+#define BATCH 16 /* rows at a time, because each waits for its own memory; measured */
 
-/* A tree's nodes as the file has them: column -1 for leaves, then the value is a score. */
+/* A tree's nodes as the file has them. A leaf has column -1, and its value is a score. */
 typedef struct raw_tree {
     const float *column, *value;
 } raw_tree;
@@ -46,7 +46,7 @@ void dmi_boosted_trees_read(dmi_loader* loader, dmi_boosted_trees* out_trees) {
     }
 }
 
-/* Compares with >, not <=: NaN goes left, and so stays in a leaf. */
+/* Returns the next node. It compares with >, not <=, so that a NaN goes left and stays in a leaf. */
 static inline uint32_t step(const dmi_tree_node* nodes, uint32_t node, const float* row) {
     return nodes[node].left + (uint32_t)(row[nodes[node].column] > nodes[node].value);
 }

@@ -4,14 +4,15 @@
 #include "base/compiler.h"
 
 #define HIDDEN 16
-#define BATCH 32 /* rows at a time: they stay in the first cache */
+#define BATCH 32 /* rows at a time, which stay in the first cache */
 
 void dmi_prefilter_read(dmi_loader* loader, dmi_prefilter* out_prefilter) {
     static const uint32_t sizes[] = {DMI_CHEAP_COLUMNS, HIDDEN, 1};
     dmi_load_standardised_perceptron(loader, "prefilter", sizes, 2, &out_prefilter->network);
 }
 
-/* Not inlined, nor keep_best(): the stack holds the arrays of one at a time. */
+/* Scores the candidates. Neither this function nor keep_best() is inlined, so that the stack holds the arrays of one at
+ * a time. */
 DMI_NO_INLINE static void score(const dmi_prefilter* prefilter, dmi_isa isa, const float (*rows)[DMI_FEATURE_COUNT],
                                 uint32_t count, float* out_scores) {
     _Alignas(DMI_ALIGNMENT) float x[BATCH][DMI_CHEAP_COLUMNS], hidden[BATCH][HIDDEN];
@@ -47,7 +48,7 @@ static float nth_largest(float* values, uint32_t count, uint32_t n) {
     return values[n];
 }
 
-/* Moves the best to the front. Of equal ones at the limit, keeps the first. */
+/* Moves the best candidates to the front. Of equal ones at the limit, it keeps the first. */
 DMI_NO_INLINE static uint32_t keep_best(const float* scores, dmi_candidate* candidates, uint32_t count) {
     float sorted[DMI_CANDIDATES_MAX];
     memcpy(sorted, scores, count * sizeof *scores);

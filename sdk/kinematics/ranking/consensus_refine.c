@@ -3,14 +3,14 @@
 
 #include "math/linear3.h"
 
-#define MAJORITY 0.5f     /* of the weight; by hand */
+#define MAJORITY 0.5f     /* share of the weight that is a majority; by hand */
 #define SAME_AXIS 0.02f   /* sine between two axes that agree; by hand */
 #define OTHER_AXIS 0.825f /* cosine up to which an axis is another direction; by hand */
-#define SAME_PLACE 1e-4f  /* objects; by hand */
-#define MIN_WEIGHT 1e-20f /* of a mean axis: less is rounding, and has no direction */
-#define ROUNDS 20         /* of Weiszfeld's iteration; by hand */
+#define SAME_PLACE 1e-4f  /* object sizes between two lines at the same place; by hand */
+#define MIN_WEIGHT 1e-20f /* length of a mean axis; a shorter one is rounding, and has no direction */
+#define ROUNDS 20         /* rounds of Weiszfeld's iteration; by hand */
 
-/* Where a supporting candidate's line passes, in the plane across the chosen axis. */
+/* The place where a supporting candidate's line passes the plane across the chosen axis. */
 typedef struct line_point {
     float at[2], weight;
 } line_point;
@@ -20,7 +20,7 @@ static float distance_to(const line_point* a, const float b[2]) {
     return sqrtf(x * x + y * y);
 }
 
-/* Writes the weighted mean axis; the chosen one where most agree with it. */
+/* Writes the weighted mean axis, or the chosen one where most agree with it. */
 static void mean_axis(const dmi_candidate* chosen, const dmi_weighted_candidate* support, uint32_t count,
                       float out[3]) {
     float sum = 0, agreeing = 0, mean[3] = {0};

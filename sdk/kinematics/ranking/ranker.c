@@ -9,7 +9,7 @@
 #include "math/linear3.h"
 
 #define HIDDEN 64
-#define BATCH 24           /* rows at a time: they and their hidden numbers stay in the first cache */
+#define BATCH 24           /* rows at a time, which stay in the first cache with their hidden numbers */
 #define STEEPEST 1e3f      /* slope of the calibration that a file may have */
 #define LEAST_CHANCE 1e-4f /* probabilities are kept so far from 0 and 1 before their log odds are taken; by hand */
 /* Share of the ensemble member that does without KPP-Net. Measured: where neither KPP-Net nor the ranker knows the kind
@@ -37,8 +37,8 @@ static void hide_network(float (*rows)[DMI_FEATURE_COUNT], uint32_t count) {
         for (int k = 0; k < DMI_NETWORK_COLUMNS; k++) rows[r][dmi_network_columns[k]] = 0;
 }
 
-/* Two members of one network: with KPP-Net's features and, to a share, without them. All rows have KPP-Net's features,
- * or none has. */
+/* Scores by two members of one network: with KPP-Net's features and, to a share, without them. All rows have KPP-Net's
+ * features, or none has. */
 static void network_score(const dmi_ranker* ranker, dmi_isa isa, const float (*features)[DMI_FEATURE_COUNT],
                           uint32_t count, float* out_score) {
     const dmi_kernels* kernels = dmi_kernels_for(isa);
@@ -56,14 +56,14 @@ static void network_score(const dmi_ranker* ranker, dmi_isa isa, const float (*f
     }
 }
 
-/* Rules, with weights that are round numbers set by hand: surfaces slide on themselves where parts touch; a motion does
- * not run into the body; a drag is followed; axes run along sides and through middles; KPP-Net's answer attracts what
- * is near it. */
+/* Scores by rules, whose weights are round numbers set by hand. Surfaces slide on themselves where parts touch. A
+ * motion does not run into the body. A drag is followed. Axes run along sides and through middles. KPP-Net's answer
+ * attracts what is near it. */
 static float rule_score(const float* f) {
     static const float hit_weight = 4, axis_weight = 1.5f, aligned_weight = 0.7f, network_weight = 4;
-    static const float drag_variance = 0.02f; /* rad squared, of a drag's angle */
-    static const float some_distance = 0.05f; /* diagonals from the part that an axis may run */
-    static const float doubt = 0.02f;         /* probability that KPP-Net is given to any type */
+    static const float drag_variance = 0.02f; /* variance of a drag's angle, rad squared */
+    static const float some_distance = 0.05f; /* distance from the part at which an axis may run, diagonals */
+    static const float doubt = 0.02f;         /* probability that every type has at least, whatever KPP-Net says */
     const bool turns = f[DMI_FEATURE_PRISMATIC] == 0;
     float score = -3 * f[DMI_FEATURE_SURFACE_SLIP] - 3 * f[DMI_FEATURE_NEAREST_PART_NORMAL_SPEED] -
                   2 * f[DMI_FEATURE_NEAREST_BODY_NORMAL_SPEED] -
@@ -86,7 +86,8 @@ static float rule_score(const float* f) {
     return score;
 }
 
-/* Network and trees err on different candidates: their mean errs less than either (measured). */
+/* Scores by the mean of network and trees. The two err on different candidates, so the mean errs less than either
+ * (measured). */
 static void score(const dmi_ranker* ranker, dmi_isa isa, const float (*features)[DMI_FEATURE_COUNT], uint32_t count,
                   float* out_score) {
     if (ranker == NULL) {

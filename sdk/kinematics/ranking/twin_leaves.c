@@ -10,14 +10,14 @@
 #define EDGE 0.6f  /* half sides from the middle of the box, from which an axis lies at an edge; by hand */
 
 /* Log-likelihoods, fitted by conditional logit on generated leaves of the category bare_leaves, and rounded. */
-#define OUTSIDE 5.0f    /* of turns along the seam, at the side away from it */
-#define AT_SEAM (-4.0f) /* of turns along the seam, at the seam */
-#define AT_END 3.0f     /* of turns across the seam, at one of its ends: flaps side by side */
+#define OUTSIDE 5.0f    /* bonus of turns along the seam, at the side away from it */
+#define AT_SEAM (-4.0f) /* bonus of turns along the seam, at the seam */
+#define AT_END 3.0f     /* bonus of turns across the seam, at one of its ends: flaps side by side */
 
 /* The sides of the part's box: across the seam, and of the other two the longer and the shorter. */
 typedef struct leaf_sides {
     int across, along, thin;
-    float sign; /* of the side `across` that leads to the twin */
+    float sign; /* sign of the side `across` that leads to the twin */
 } leaf_sides;
 
 static leaf_sides sides_of(const dmi_part_analysis* a) {

@@ -1,5 +1,5 @@
-/* Two leaves that touch only each other, such as double doors without a frame: their contact is the seam, while they
- * are hung outside. */
+/* Two leaves that touch only each other, such as double doors without a frame. Their contact is the seam, but they are
+ * hung at the outer sides. */
 #ifndef DMI_RANKING_TWIN_LEAVES_H
 #define DMI_RANKING_TWIN_LEAVES_H
 
@@ -7,7 +7,7 @@
 
 /* Adds turns about the side of the part's box away from its twin, about its two edges and its middle line, and the
  * slide along them, where a drag allows them and no candidate is the same. Adds nothing without a twin (has_twin).
- * count: the candidates there are. Returns their number with those added. */
+ * count: the number of candidates before. Returns their number with those added. */
 uint32_t dmi_twin_add_candidates(const dmi_part_analysis* analysis, const dmi_drag_hint* hint,
                                  dmi_candidate* candidates, uint32_t count);
 
