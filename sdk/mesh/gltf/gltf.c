@@ -18,7 +18,7 @@
 #include "mesh/gltf/gltf_roles.h"
 #include "mesh/gltf/gltf_tree.h"
 
-/* Bytes of a description without what was added to it later. */
+/* Bytes of a description before fields were added to it. */
 #define FIRST_SIZE offsetof(dm_gltf_desc, progress)
 
 /* Shares of opening, when the JSON is parsed, and when the buffers are there; by hand. */

@@ -1,5 +1,5 @@
-/* Accessors of a file that nobody vouches for: every offset, stride and count is checked against the buffer's real size
- * before a byte is read. */
+/* Reads accessors of a file that nobody vouches for. Every offset, stride and count is checked against the buffer's
+ * real size before a byte is read. */
 #include "mesh/gltf/gltf_accessor.h"
 
 #include <inttypes.h>
@@ -41,14 +41,14 @@ int32_t dmi_gltf_components(const char* type) {
     return 0;
 }
 
-/* count elements of `element` bytes, `stride` apart from `offset` on, lie within `size` bytes. */
+/* Returns whether `count` elements of `element` bytes, `stride` apart from `offset` on, lie within `size` bytes. */
 static int fits(uint64_t offset, uint64_t count, uint64_t element, uint64_t stride, uint64_t size) {
     if (count == 0) return 1;
     if (element > size || offset > size - element || stride == 0) return 0;
     return (count - 1) <= (size - element - offset) / stride;
 }
 
-/* The elements of `json`, which names a view and an offset in it. */
+/* Finds the elements of `json`, which names a view and an offset in it. */
 static dm_result find_range(dm_gltf* gltf, const cJSON* json, uint64_t count, uint64_t element, const char* place,
                             dmi_gltf_problem* problem, const uint8_t** out_data, uint64_t* out_stride) {
     const double index = dmi_json_number(json, "bufferView", DMI_GLTF_NO_INDEX);
@@ -73,8 +73,8 @@ static dm_result find_range(dm_gltf* gltf, const cJSON* json, uint64_t count, ui
     return DM_OK;
 }
 
-/* Whether sparse changes are about elements that there are: asked once for an accessor, however many primitives have
- * it. */
+/* Returns whether sparse changes name elements that exist. It is asked once for an accessor, however many primitives
+ * have it. */
 static int changes_fit(dm_gltf* gltf, double accessor, const dmi_gltf_elements* elements) {
     enum { UNKNOWN, FIT, DO_NOT_FIT };
     uint8_t* known = &gltf->sparse_fit[dmi_gltf_position(&gltf->document, DMI_GLTF_ACCESSORS, accessor)];
@@ -136,7 +136,7 @@ dm_result dmi_gltf_find_elements(dm_gltf* gltf, double index, const char* place,
     return result == DM_OK && sparse ? find_changes(gltf, index, sparse, element, place, problem, out) : result;
 }
 
-/* Integers in the file are little-endian. */
+/* Reads an integer, which is little-endian in the file. */
 static uint32_t read_u32(const uint8_t* bytes) {
     return (uint32_t)bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }

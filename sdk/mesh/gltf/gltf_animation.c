@@ -1,5 +1,5 @@
-/* Tracks as animations: a node at the pivot that turns and slides. The pivot lies on the axis of the motion, so a turn
- * is a rotation alone and viewers interpolate it exactly. */
+/* Writes tracks as animations: a node at the pivot that turns and slides. The pivot lies on the axis of the motion, so
+ * a turn is a rotation alone and viewers interpolate it exactly. */
 #include "mesh/gltf/gltf_animation.h"
 
 #include <math.h>
@@ -22,7 +22,7 @@ static void part_centre(const dmi_moves* moves, uint32_t track, float out[3]) {
     for (int k = 0; k < 3; k++) out[k] = (float)((low[k] + high[k]) / 2);
 }
 
-/* Where the axis of the largest turn passes the part; the part's centre when nothing turns. */
+/* Writes where the axis of the largest turn passes the part, or the part's centre when nothing turns. */
 static void find_pivot(const dmi_moves* moves, const dm_gltf_track* from, uint32_t track, float out[3]) {
     part_centre(moves, track, out);
     float best = 1e-3f;
@@ -40,7 +40,8 @@ static void find_pivot(const dmi_moves* moves, const dm_gltf_track* from, uint32
     for (int k = 0; k < 3; k++) out[k] = screw.point[k] + along * screw.axis[k];
 }
 
-/* A motion that ends elsewhere than it starts is followed by itself backwards, so that it repeats without a jump. */
+/* Returns whether a motion ends where it starts. One that does not is followed by itself backwards, so that it repeats
+ * without a jump. */
 static int ends_where_it_starts(const dm_gltf_track* track, const float pivot[3]) {
     const dm_pose *first = &track->poses[0], *last = &track->poses[track->key_count - 1];
     float a[3], b[3], same = 0, distance = 0, length = 0;
@@ -59,7 +60,7 @@ typedef struct keys {
     uint32_t count;
 } keys;
 
-/* Key `at` of the written motion from key `k` of the track. */
+/* Writes key `at` of the new motion from key `k` of the track. */
 static void write_key(keys* out, uint32_t at, const dm_gltf_track* track, uint32_t k, const float pivot[3],
                       const double origin[3]) {
     const dm_pose pose = dmi_pose_normalize(&track->poses[k]);

@@ -4,10 +4,10 @@
 
 #include "mesh/gltf/gltf_moves.h"
 
-/* Adds an animation, first of all, so that it is what a viewer plays. */
+/* Adds an animation in front of all others, so that a viewer plays it. */
 cJSON* dmi_animation_add(dmi_edit* e, const char* name);
-/* Adds the node that the track moves and its channels. Returns the node, without children, at `out_pivot` in the
- * scene. */
+/* Adds the node that the track moves and its channels. Returns the node, which has no children yet and stands at
+ * `out_pivot` in the scene. */
 dmi_edit_item dmi_animation_add_track(dmi_edit* e, const dmi_moves* moves, cJSON* animation, const dm_gltf_track* track,
                                       uint32_t index, double out_pivot[3]);
 

@@ -12,7 +12,7 @@
 /* Bytes that the arena takes from the host at a time; by hand. */
 #define BLOCK_SIZE ((size_t)1 << 16)
 
-/* A second dm_gltf_node of one bone, with the triangles of another mesh, is one with the first. */
+/* The joint of a second dm_gltf_node of one bone, which has triangles of another mesh: it is one with the first. */
 static const dm_joint one_with_the_first = {.struct_size = sizeof(dm_joint),
                                             .type = DM_JOINT_FIXED,
                                             .type_confidence = 1,
@@ -36,7 +36,7 @@ static void mark_listed(const dm_gltf* gltf, uint32_t* places) {
     }
 }
 
-/* Numbers the nodes of the file that are in the list, and writes which they are. Returns how many. */
+/* Numbers the nodes of the file that are in the list, and writes which they are. Returns how many there are. */
 static uint32_t list_nodes(const dm_gltf* gltf, uint32_t* places, uint32_t* file_nodes) {
     const uint32_t nodes = gltf->document.counts[DMI_GLTF_NODES];
     uint32_t count = gltf->node_count;
@@ -56,7 +56,7 @@ static uint32_t list_nodes(const dm_gltf* gltf, uint32_t* places, uint32_t* file
 
 /* ---- what is said of them ---- */
 
-/* The nearest node above that is in the list and follows none. */
+/* Returns the nearest node above that is in the list and follows none. */
 static uint32_t find_parent(const dm_gltf* gltf, const dmi_gltf_asset* asset, uint32_t node) {
     int32_t above = gltf->tree[node].parent;
     while (above >= 0 && (asset->places[above] == DM_ASSET_NO_NODE || follows(&gltf->tree[above])))
@@ -99,14 +99,15 @@ static void name_meshes(const dm_gltf* gltf, const dmi_gltf_asset* asset) {
 
 /* ---- meshes ---- */
 
-/* Room for the mesh of a node. */
+/* What copying the mesh of a node needs. */
 typedef struct mesh_copier {
     dm_gltf* gltf;
     dmi_arena* arena;
-    uint32_t* numbers; /* of a merged vertex: 1 + its number in the mesh in hand; NULL until a mesh needs them */
+    /* Per merged vertex: 1 + its number in the mesh that is being copied; NULL until a mesh needs them. */
+    uint32_t* numbers;
 } mesh_copier;
 
-/* Whether all corners of the node are vertices of its own. Faces between bones have vertices of both. */
+/* Returns whether all corners of the node are vertices of its own. Faces between bones have vertices of both. */
 static bool is_closed(const dm_gltf* gltf, const dm_gltf_node* node) {
     const uint32_t* corners = gltf->indices + 3 * node->first_face;
     for (uint64_t i = 0; i < 3 * node->face_count; i++)
@@ -115,7 +116,7 @@ static bool is_closed(const dm_gltf* gltf, const dm_gltf_node* node) {
 }
 
 /* Copies the vertices that the corners have, in the order in which they come first, and numbers the corners. Returns
- * how many vertices these are. */
+ * how many vertices there are. */
 static uint64_t copy_vertices(const mesh_copier* c, const uint32_t* corners, uint64_t count, float* positions,
                               uint32_t* indices) {
     uint64_t used = 0;

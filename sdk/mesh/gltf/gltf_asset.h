@@ -4,13 +4,13 @@
 
 #include "mesh/gltf/gltf_file.h"
 
-/* What dm_gltf_get_asset answers. Its memory is the arena's. */
+/* The answer of dm_gltf_get_asset. Its memory is the arena's. */
 struct dmi_gltf_asset {
     dmi_arena arena;
     dm_asset_node* nodes; /* first the dm_gltf_nodes, then groups, then what follows others */
-    uint32_t* file_nodes; /* of each, in the file */
+    uint32_t* file_nodes; /* index of each in the file */
     uint32_t count;
-    uint32_t* places; /* of a node of the file: its first place in `nodes`; DM_ASSET_NO_NODE: it is not there */
+    uint32_t* places; /* per node of the file: its first place in `nodes`; DM_ASSET_NO_NODE: it is not there */
 };
 
 /* Frees the asset of a file, where one was asked for. */

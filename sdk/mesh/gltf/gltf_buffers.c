@@ -1,4 +1,4 @@
-/* The bytes of a document: of its binary chunk, of data: URIs, of files that the host hands over. */
+/* Reads the bytes of a document from its binary chunk, from data: URIs and from files that the host hands over. */
 #include "mesh/gltf/gltf_buffers.h"
 
 #include <inttypes.h>
@@ -80,9 +80,9 @@ dm_result dmi_gltf_read_buffers(dm_gltf* gltf, const dmi_gltf_container* from, d
     gltf->buffers = dmi_alloc_zeroed(&gltf->env, count * sizeof *gltf->buffers, 16);
     gltf->decoded = dmi_alloc_zeroed(&gltf->env, views * sizeof *gltf->decoded, 16);
     gltf->sparse_fit = dmi_alloc_zeroed(&gltf->env, gltf->document.counts[DMI_GLTF_ACCESSORS], 1);
-    const int borrowed = from->bin && !gltf->on_disk.data; /* for the call alone */
+    const int borrowed = from->bin && !gltf->on_disk.data; /* the bytes are borrowed for the call alone */
     gltf->bin_copy = borrowed ? dmi_alloc(&gltf->env, from->bin_size, 16) : NULL;
-    gltf->bin_size = from->bin_size; /* that of the copy, also when the rest fails */
+    gltf->bin_size = from->bin_size; /* the size of the copy, also when the rest fails */
     if (!gltf->buffers || !gltf->decoded || !gltf->sparse_fit || (borrowed && !gltf->bin_copy))
         return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %zu bytes", from->bin_size);
     gltf->bin = borrowed ? memcpy(gltf->bin_copy, from->bin, from->bin_size) : from->bin;
@@ -166,8 +166,8 @@ static dm_result decode(dm_gltf* gltf, const cJSON* extension, const char* place
     return result;
 }
 
-/* Puts a view's plain bytes in the place of compressed ones that do not decode, where the file has them and does not
- * need the extension. Returns `problem` else. */
+/* Takes a view's plain bytes when its compressed ones do not decode, where the file has them and does not need the
+ * extension. Else returns `problem`. */
 static dm_result refuse_meshopt(dm_gltf* gltf, const cJSON* view, dmi_gltf_decoded* decoded, const char* place,
                                 dmi_gltf_problem* problem, dmi_gltf_view* out) {
     dmi_gltf_problem none = {.code = DM_OK};

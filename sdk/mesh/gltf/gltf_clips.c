@@ -1,5 +1,5 @@
-/* Animations, node by node. A clip is how the node's local transform moves it from where the file has it, in the frame
- * of the scene: the nodes above it stand still, so that the drawer of a moving cabinet only slides. */
+/* Reads animations, node by node. A clip is how the node's local transform moves it from where the file has it, in the
+ * frame of the scene. The nodes above it stand still, so that the drawer of a moving cabinet only slides. */
 #include "mesh/gltf/gltf_clips.h"
 
 #include <float.h>
@@ -29,7 +29,7 @@ static const char* const path_names[PATHS] = {"translation", "rotation", "scale"
 typedef struct channel {
     dmi_gltf_sampler sampler;
     int path;
-    uint32_t node, next; /* next: of the same node; NO_CHANNEL: none */
+    uint32_t node, next; /* next: next channel of the same node; NO_CHANNEL: none */
 } channel;
 
 /* What is needed to read the animations one after the other. */
@@ -37,7 +37,7 @@ typedef struct reader {
     dm_gltf* gltf;
     dmi_gltf_asset* asset;
     dmi_arena scratch;
-    uint32_t* firsts; /* of a node of the file: its first channel */
+    uint32_t* firsts; /* per node of the file: its first channel */
     channel* channels;
     uint32_t channel_count;
 } reader;
@@ -49,7 +49,7 @@ typedef struct transform {
 
 /* ---- the rest ---- */
 
-/* Takes a node's transform at rest apart, also one that the file gives as a matrix. */
+/* Splits a node's transform at rest into its parts, also one that the file gives as a matrix. */
 static void read_rest(const cJSON* node, transform* out) {
     double m[16];
     *out = (transform){{{0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1}}};
@@ -115,7 +115,7 @@ static dm_result list_times(reader* r, uint32_t first, float** out, uint32_t* ou
 /* What moves a node from its rest to a sample: scene frame = above x (local x inverse rest) x inverse above. */
 typedef struct mover {
     transform rest;
-    double above[16], below[16]; /* below: inverse rest x inverse above */
+    double above[16], below[16]; /* the product inverse rest x inverse above is `below` */
     double at[3];                /* where the node is at rest, in the merged mesh's frame */
 } mover;
 
@@ -141,7 +141,7 @@ static bool find_pose(const reader* r, uint32_t first, const mover* mover, doubl
     dmi_gltf_multiply(mover->above, local, half);
     dmi_gltf_multiply(half, mover->below, m);
     const double* origin = r->gltf->origin;
-    for (int row = 0; row < 3; row++) /* where the node's own place has come */
+    for (int row = 0; row < 3; row++) /* the place that the node has come to */
         t[row] = half[ORIGIN + row] - origin[row];
     const bool rigid = dmi_gltf_straighten(m) <= SHAPE_ERROR;
     if (!rigid && !(fabs(dmi_gltf_determinant(m) - 1) < SHAPE_ERROR))
@@ -171,7 +171,7 @@ static bool is_still(const dm_pose* pose, const mover* mover) {
     return turn < STILL && way < STILL * (1 + distance);
 }
 
-/* Fills the poses of a clip. Returns whether it says anything: it moves the node, and all of it is finite. */
+/* Fills the poses of a clip. Returns whether the clip counts: it moves the node, and all of it is finite. */
 static bool fill_poses(const reader* r, uint32_t first, const mover* mover, dm_asset_clip* clip, dm_pose* poses) {
     bool moves = false, finite = true;
     for (uint32_t k = 0; k < clip->key_count; k++) {
@@ -183,7 +183,7 @@ static bool fill_poses(const reader* r, uint32_t first, const mover* mover, dm_a
     return finite && (moves || clip->flags != 0);
 }
 
-/* Makes the clip of one node, of the channels from `first` on. Returns whether it says anything in `out_says`. */
+/* Makes the clip of one node from the channels from `first` on. out_says: whether the clip counts. */
 static dm_result make_clip(reader* r, uint32_t node, const char* name, dm_asset_clip* out, bool* out_says,
                            dmi_gltf_problem* problem) {
     mover mover;
@@ -208,7 +208,7 @@ static int find_path(const char* name) {
     return PATHS;
 }
 
-/* Whether clips of a node of the file can be told. */
+/* Returns whether a node of the file is in the list, so that its clips have a place. */
 static bool is_listed(const reader* r, int64_t node) {
     if (node < 0 || r->asset->places[node] == DM_ASSET_NO_NODE) return false;
     return !(r->asset->nodes[r->asset->places[node]].flags & DM_ASSET_NODE_FOLLOWS);
@@ -274,7 +274,7 @@ static dm_result read_channels(reader* r, const cJSON* animation, const char* pl
 /* Appends a clip to those of a node, which lie side by side. */
 static dm_result add_clip(reader* r, dm_asset_node* node, const dm_asset_clip* clip, dmi_gltf_problem* problem) {
     dm_asset_clip* clips = (dm_asset_clip*)(uintptr_t)node->clips;
-    if ((node->clip_count & (node->clip_count - 1)) == 0) { /* full: 1, 2, 4, ... clips */
+    if ((node->clip_count & (node->clip_count - 1)) == 0) { /* the list is full with 1, 2, 4, ... clips */
         const uint32_t room = node->clip_count > 0 ? 2 * node->clip_count : 1;
         dm_asset_clip* larger = dmi_gltf_push(r->gltf, &r->asset->arena, room, sizeof *larger, problem);
         if (!larger) return problem->code;
@@ -295,7 +295,7 @@ static dm_result read_animation(reader* r, const cJSON* animation, uint32_t inde
         const uint32_t node = r->channels[c].node;
         dm_asset_clip clip;
         bool says = false;
-        if (r->firsts[node] == NO_CHANNEL) continue; /* it was done with another channel */
+        if (r->firsts[node] == NO_CHANNEL) continue; /* it was read together with another channel */
         result = make_clip(r, node, name && name[0] ? name : NULL, &clip, &says, problem);
         r->firsts[node] = NO_CHANNEL;
         if (result == DM_OK && says) result = add_clip(r, &r->asset->nodes[r->asset->places[node]], &clip, problem);

@@ -1,4 +1,4 @@
-/* What a glTF file is made of: the chunks of a .glb, or JSON alone. */
+/* Splits a glTF file: the chunks of a .glb, or JSON alone. */
 #include "mesh/gltf/gltf_container.h"
 
 #include <string.h>
@@ -10,7 +10,7 @@ static uint32_t read_u32(const uint8_t* bytes) {
     return (uint32_t)bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
-/* The first binary chunk; chunks of other kinds are passed over. */
+/* Finds the first binary chunk. Chunks of other kinds are skipped. */
 static dm_result find_bin(const uint8_t* next, size_t left, dmi_gltf_problem* problem, dmi_gltf_container* out) {
     while (left > 0) {
         if (left < CHUNK_BYTES || read_u32(next) > left - CHUNK_BYTES)
@@ -50,7 +50,7 @@ static dm_result split_glb(const uint8_t* data, size_t size, dmi_gltf_problem* p
     return find_bin(data + (length - left), left, problem, out);
 }
 
-/* 1 for a text that begins as an object, after an optional byte order mark. */
+/* Returns 1 for a text that begins as an object, after an optional byte order mark. */
 static int is_object(const uint8_t* data, size_t size) {
     static const char blanks[] = {' ', '\t', '\r', '\n'};
     size_t at = size >= 3 && memcmp(data, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;

@@ -1,4 +1,4 @@
-/* Copies of primitives: every attribute of the vertices that the copy has, as the file stores it. */
+/* Copies primitives: every attribute of the vertices that the copy has, as the file stores it. */
 #include "mesh/gltf/gltf_copy.h"
 
 #include <math.h>
@@ -11,9 +11,9 @@ enum { MOST_COMPONENTS = 16 };
 /* One attribute being copied. */
 typedef struct attribute {
     const char* name;
-    double accessor; /* in the file */
+    double accessor; /* accessor in the file */
     dmi_gltf_elements from;
-    uint64_t element, stride; /* bytes of the copy: of an element, and with what aligns it to 4 bytes */
+    uint64_t element, stride; /* bytes of an element of the copy; the same with its padding to 4 bytes */
     uint8_t* bytes;
     uint64_t size;
 } attribute;
@@ -23,7 +23,7 @@ static int starts_with(const char* name, const char* start) {
 }
 
 static dm_result find_attribute(dmi_edit* e, const dmi_copy* copy, const cJSON* item, attribute* out) {
-    dm_gltf* gltf = (dm_gltf*)e->from; /* keeps what it decompresses */
+    dm_gltf* gltf = (dm_gltf*)e->from; /* the file keeps what it decompresses */
     *out = (attribute){.name = item->string, .accessor = item->valuedouble};
     const dm_result result =
         dmi_gltf_draco_of(gltf, copy->from)
@@ -42,7 +42,7 @@ static dm_result find_attribute(dmi_edit* e, const dmi_copy* copy, const cJSON* 
     return dmi_gltf_refuse(&e->problem, DM_ERROR_OUT_OF_MEMORY, "glTF: export: no memory for %.40s", out->name);
 }
 
-/* The bytes as they are, with sparse changes. */
+/* Copies the bytes as they are, with sparse changes. */
 static void copy_values(const dmi_copy* copy, attribute* a) {
     const dmi_gltf_elements* from = &a->from;
     for (uint64_t v = 0; v < copy->vertex_count; v++) {
@@ -56,7 +56,7 @@ static void copy_values(const dmi_copy* copy, attribute* a) {
 
 /* ---- vertices that bones have placed ---- */
 
-/* m * v, or for normals what stays perpendicular: cofactor(m) * v. */
+/* Computes m * v, or for normals cofactor(m) * v, which stays perpendicular. */
 static void turn(const double m[16], int is_normal, const double v[3], double out[3]) {
     double c[9];
     for (int column = 0; column < 3; column++) {
@@ -120,12 +120,12 @@ static void set_limits(dmi_edit* e, const attribute* a, uint64_t count, cJSON* a
     dmi_edit_numbers(e, accessor, "max", high, made.components);
 }
 
-/* Whether bones have a say in the attribute, so that a placed copy has its own values. */
+/* Returns whether bones move the attribute, so that a placed copy has its own values. */
 static int is_placed(const char* name) {
     return strcmp(name, "POSITION") == 0 || strcmp(name, "NORMAL") == 0 || strcmp(name, "TANGENT") == 0;
 }
 
-/* Adds the accessor of an attribute of the copy; like the file's, but for what is different. */
+/* Adds the accessor of an attribute of the copy. It is like the file's, but for what is different. */
 static int32_t add_accessor(dmi_edit* e, const dmi_copy* copy, const attribute* a) {
     const cJSON* old = dmi_gltf_item(&e->from->document, DMI_GLTF_ACCESSORS, a->accessor);
     const char* placed_type = a->from.components == 4 ? "VEC4" : "VEC3";
@@ -163,7 +163,7 @@ static void copy_attributes(dmi_edit* e, const dmi_copy* copy, const cJSON* from
 
 /* ---- the primitive ---- */
 
-/* Morph targets move vertices in the mesh's frame; a placed copy has none. */
+/* Copies the morph targets. They move vertices in the mesh's frame, so a placed copy has none. */
 static void copy_targets(dmi_edit* e, const dmi_copy* copy, cJSON* made) {
     const cJSON *targets = dmi_json_get(copy->from, "targets"), *target;
     if (!targets) return;
@@ -186,7 +186,7 @@ cJSON* dmi_copy_primitive(dmi_edit* e, const dmi_copy* copy) {
     cJSON* extensions = cJSON_GetObjectItemCaseSensitive(made, "extensions");
     if (extensions) cJSON_DeleteItemFromObjectCaseSensitive(extensions, DMI_DRACO_NAME);
     if (extensions && !extensions->child) cJSON_DeleteItemFromObjectCaseSensitive(made, "extensions");
-    cJSON_DeleteItemFromObjectCaseSensitive(made, "mode"); /* a list of triangles */
+    cJSON_DeleteItemFromObjectCaseSensitive(made, "mode"); /* the copy is a list of triangles */
     const uint64_t corners = 3 * copy->face_count;
     const int32_t view = dmi_edit_add_view(e, copy->corners, corners * sizeof *copy->corners, DMI_GLTF_INDEX_TARGET);
     dmi_edit_number(e, made, "indices", dmi_edit_add_accessor(e, view, DMI_GLTF_UINT, 1, corners, NULL, NULL));

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* Most bytes of one read; Windows counts them in 32 bits. */
+/* Most bytes of one read. Windows counts them in 32 bits. */
 #define READ_MOST ((size_t)1 << 30)
 
 #if defined(_WIN32)
@@ -18,14 +18,14 @@
 typedef struct _stat64 file_info;
 typedef int read_count;
 
-/* Writes `path` as UTF-16; false with errno set where it is too long or no UTF-8. */
+/* Writes `path` as UTF-16. Returns false with errno set where it is too long or not UTF-8. */
 static bool widen(const char* path, wchar_t out[DMI_DISK_PATH]) {
     if (MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path, -1, out, DMI_DISK_PATH) > 0) return true;
     errno = GetLastError() == ERROR_INSUFFICIENT_BUFFER ? ENAMETOOLONG : EILSEQ;
     return false;
 }
 
-/* _wopen says EACCES of a folder. */
+/* Opens a file. _wopen answers EACCES for a folder. */
 static int open_descriptor(const char* path) {
     wchar_t wide[DMI_DISK_PATH];
     file_info info;

@@ -1,4 +1,4 @@
-/* Documents: lists by index, and whether this library may read them at all. */
+/* Indexes the lists of a document, and checks whether this library may read it at all. */
 #include "mesh/gltf/gltf_document.h"
 
 #include <math.h>

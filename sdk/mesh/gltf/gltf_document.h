@@ -29,18 +29,19 @@ typedef struct dmi_gltf_document {
 /* Name of a list in the file. */
 extern const char* const dmi_gltf_list_names[DMI_GLTF_LISTS];
 
-/* Takes `root` over, also where it fails, and lists its parts. */
+/* Lists the parts of `root`. It takes `root` over, also where it fails. */
 dm_result dmi_gltf_document_open(dmi_env* env, cJSON* root, dmi_gltf_problem* problem, dmi_gltf_document* out);
 /* Lists the parts of one list anew, after some were added to it. */
 dm_result dmi_gltf_list_again(dmi_env* env, dmi_gltf_document* document, dmi_gltf_list list, dmi_gltf_problem* problem);
 void dmi_gltf_document_close(dmi_env* env, dmi_gltf_document* document);
 
-/* NULL when there is no such item. `index` is as the file has it: perhaps negative, broken or huge. */
+/* Returns an item of a list, or NULL when there is none. `index` is as the file has it: perhaps negative, broken or
+ * huge. */
 cJSON* dmi_gltf_item(const dmi_gltf_document* document, dmi_gltf_list list, double index);
-/* Position in the list of an index that dmi_gltf_item finds; -1 for others. */
+/* Returns the position in the list of an index that dmi_gltf_item finds, or -1 for others. */
 int64_t dmi_gltf_position(const dmi_gltf_document* document, dmi_gltf_list list, double index);
 
-/* Whether the file can't be read without an extension. */
+/* Returns whether the file cannot be read without an extension. */
 int dmi_gltf_requires(const dmi_gltf_document* document, const char* extension);
 /* Checks "asset", and that every required extension is one that this library reads or may ignore. */
 dm_result dmi_gltf_check_asset(const dmi_gltf_document* document, dmi_gltf_problem* problem);

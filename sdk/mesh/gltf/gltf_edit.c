@@ -8,7 +8,7 @@
 #include "mesh/gltf/gltf_buffers.h"
 #include "mesh/gltf/gltf_meshopt.h"
 
-#define ELEMENT_BYTES 12 /* of a triangle, or of a vertex' position */
+#define ELEMENT_BYTES 12 /* bytes of a triangle, or of a vertex' position */
 
 static void run_out(dmi_edit* e) {
     if (e->problem.code == DM_OK)
@@ -136,8 +136,8 @@ int32_t dmi_edit_add_accessor(dmi_edit* e, int32_t view, int type, int component
 
 /* ---- one buffer ---- */
 
-/* Addresses bytes of a view, or of its compressed data, in the new buffers. One that has none was left out with what
- * needs it: it must not meet the bytes that now follow its buffer's. */
+/* Addresses bytes of a view, or of its compressed data, in the new buffers. One that has no bytes was left out together
+ * with what needs it, so it must not name the bytes that now follow its buffer's. */
 static void move_view(dmi_edit* e, cJSON* view, const uint32_t* buffers, const uint64_t* offsets) {
     const double index = dmi_json_number(view, "buffer", DMI_GLTF_NO_INDEX);
     const int64_t old = dmi_gltf_position(&e->from->document, DMI_GLTF_BUFFERS, index);
@@ -151,8 +151,8 @@ static void move_view(dmi_edit* e, cJSON* view, const uint32_t* buffers, const u
         dmi_edit_number(e, view, "byteOffset", dmi_json_number(view, "byteOffset", 0) + (double)offsets[old]);
 }
 
-/* The buffers that have bytes become the first, in their order; those without, which hold the place of decompressed
- * data, stay behind it. */
+/* Joins the buffers that have bytes, in their order, into the first one. Those without bytes, which hold the place of
+ * decompressed data, stay behind it. */
 static void join_buffers(dmi_edit* e) {
     const dm_gltf* gltf = e->from;
     const uint32_t count = gltf->document.counts[DMI_GLTF_BUFFERS];
@@ -217,7 +217,7 @@ void dmi_edit_open(dmi_edit* e, dmi_env* env, dm_gltf* from) {
 
 /* ---- extensions ---- */
 
-/* Whether `json`, or something that it holds, has the extension. */
+/* Returns whether `json`, or something that it holds, has the extension. */
 static int has_extension(const cJSON* json, const char* name) {
     if (dmi_json_get(dmi_json_get(json, "extensions"), name)) return 1;
     for (const cJSON* child = json->child; child; child = child->next) {

@@ -24,7 +24,7 @@
 /* What becomes of a node in the lists of children and roots, besides the index of its stand-in. */
 enum { KEPT = -1, GONE = -2, MOVED_ALONE = -3 /* what is below it stays */ };
 
-/* Shares of the work, when the faces of the tracks are known, when these have their animations, when what moves and
+/* Shares of the work: when the faces of the tracks are known, when these have their animations, and when what moves and
  * what stays have their triangles; by hand. */
 #define OPENED 0.1f
 #define TRACKS_ADDED 0.2f
@@ -37,14 +37,15 @@ typedef struct exporter {
     dm_gltf* gltf;
     const dm_gltf_track* tracks;
     uint32_t track_count;
-    dmi_edit_item* carriers; /* a track: the node below which the scene's frame lies */
-    int32_t* places;         /* a node of the file: KEPT, GONE, or the node in its place */
-    uint8_t* carried;        /* a node of the file: it went with one above it */
-    dmi_edit_item* hooks;    /* a node of the file: what stands for it below the carrier of the track in hand */
-    uint32_t* path;          /* room for the nodes above one */
+    dmi_edit_item* carriers; /* per track: the node below which the scene's frame lies */
+    int32_t* places;         /* per node of the file: KEPT, GONE, or the node in its place */
+    uint8_t* carried;        /* per node of the file: 1 when it went with one above it */
+    /* Per node of the file: what stands for it below the carrier of the track that is being written. */
+    dmi_edit_item* hooks;
+    uint32_t* path; /* room for the nodes above one */
 } exporter;
 
-/* A host's poses, as the drags take them. */
+/* Checks a host's pose, by the bounds of a drag's poses. */
 static dm_result check_pose(dmi_env* env, const dm_pose* pose, uint32_t track, uint32_t key) {
     float length, sum = 0, most = 0;
     for (int i = 0; i < 4; i++) {
@@ -101,13 +102,13 @@ static void add_child(dmi_edit* e, cJSON* parent, int32_t child) {
     dmi_edit_append_number(e, dmi_edit_list(e, parent, "children"), child);
 }
 
-/* Forgets the hooks of the track before. */
+/* Clears the hooks of the track before. */
 static void clear_hooks(exporter* x) {
     for (uint32_t i = 0; i < x->gltf->document.counts[DMI_GLTF_NODES]; i++) x->hooks[i] = (dmi_edit_item){NULL, -1};
 }
 
-/* The node below the track's carrier that stands where the parent of `node` stands in the scene: its chain of
- * transforms again. */
+/* Returns the node below the track's carrier that stands where the parent of `node` stands in the scene. It repeats the
+ * chain of transforms. */
 static dmi_edit_item hook_above(exporter* x, uint32_t track, uint32_t node) {
     dmi_edit* e = &x->edit;
     uint32_t length = 0;
@@ -173,7 +174,7 @@ static void leave_triangles(exporter* x, uint32_t node) {
     cJSON_DeleteItemFromObjectCaseSensitive(json, "weights");
 }
 
-/* Whether some piece of the node has triangles of the track. */
+/* Returns whether some piece of the node has triangles of the track. */
 static int has_triangles(const exporter* x, uint32_t node, uint32_t track) {
     const dm_gltf* gltf = x->gltf;
     for (uint32_t p = x->moves.first_pieces[node]; p < gltf->piece_count && gltf->pieces[p].mesh_node == node; p++) {
@@ -182,14 +183,15 @@ static int has_triangles(const exporter* x, uint32_t node, uint32_t track) {
     return 0;
 }
 
-/* Whether the node is no body, and goes with one that the track moves as a whole. What bones place stays with them. */
+/* Returns whether the node is no body, and goes with one that the track moves as a whole. What bones place stays with
+ * them. */
 static bool goes_along(const exporter* x, uint32_t node, uint32_t track) {
     const int32_t followed = x->gltf->tree[node].follows;
     if (followed < 0 || dmi_json_get(x->gltf->tree[node].json, "skin")) return false;
     return x->moves.own[followed] == (int32_t)track || x->moves.below[followed] == (int32_t)track;
 }
 
-/* Parents come before their children, so that what a track moves as a whole is found from above. */
+/* Moves the parts of a track. Parents come before their children, so that what moves as a whole is found from above. */
 static void move_parts(exporter* x, uint32_t track) {
     clear_hooks(x);
     for (uint32_t at = 0; at < x->gltf->order_count; at++) {
@@ -219,7 +221,7 @@ static void leave_parts(exporter* x) {
 
 /* ---- lists of nodes ---- */
 
-/* Takes what has gone out of a list of nodes of the file, and the list out of its owner when nothing is left. */
+/* Removes what has gone from a list of nodes of the file, and the list from its owner when nothing is left. */
 static void mend_list(exporter* x, cJSON* owner, const char* name) {
     cJSON* list = owner ? cJSON_GetObjectItemCaseSensitive(owner, name) : NULL;
     for (cJSON *item = list ? list->child : NULL, *next; item; item = next) {
@@ -247,7 +249,7 @@ static void stand_in(exporter* x, uint32_t node) {
     x->places[node] = made.index;
 }
 
-/* Children before their parents, so that a place is known before it is needed. */
+/* Mends all lists. Children come before their parents, so that a place is known before it is needed. */
 static void mend_lists(exporter* x) {
     for (uint32_t at = x->gltf->order_count; at-- > 0;) {
         const uint32_t node = x->gltf->order[at];
@@ -258,7 +260,7 @@ static void mend_lists(exporter* x) {
         mend_list(x, x->edit.document.items[DMI_GLTF_SCENES][i], "nodes");
 }
 
-/* The list of roots of the scene that a viewer shows. One that shows all roots gets them as a list. */
+/* Returns the list of roots of the scene that a viewer shows. A scene that shows all roots gets them as a list. */
 static cJSON* shown_roots(exporter* x) {
     dmi_edit* e = &x->edit;
     const dmi_gltf_document* old = &x->gltf->document;
@@ -350,7 +352,7 @@ dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint3
         const dm_result result = check_track(&env, &tracks[t], t);
         if (result != DM_OK) return result;
     }
-    dm_gltf* file = (dm_gltf*)gltf; /* keeps what it decompresses */
+    dm_gltf* file = (dm_gltf*)gltf; /* the file keeps what it decompresses */
     file->bytes_left = file->bytes_most;
     file->told = 0;
     exporter x = {.edit = {.env = &env}, .gltf = file, .tracks = tracks, .track_count = track_count};

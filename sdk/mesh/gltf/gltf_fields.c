@@ -17,23 +17,23 @@ typedef enum kind {
     FLOAT, /* a number that a float holds */
     WRAP,  /* how a texture goes on beyond its image */
     CELL,  /* a number of a matrix of 4 columns, which end with 0 0 0 1 */
-    INDEX, /* of an item that is looked for where it is needed; a part of the file is left out without it */
-    ITEM   /* an index that nothing else asks about: of an item that there is */
+    INDEX, /* index of an item that is looked up where it is needed; a part of the file is left out without it */
+    ITEM   /* an index that no other check covers: it must name an item that exists */
 } kind;
 
 typedef struct field {
     const char* name; /* NULL ends a table; EACH: every member */
     kind kind;
-    int count;                  /* 0: one such value; ANY: a list of them; else a list of so many */
-    const struct field* fields; /* of an object */
-    dmi_gltf_list of;           /* which the item is in */
+    int count;                  /* 0: one such value; ANY: a list of them; else a list of that many */
+    const struct field* fields; /* fields of an object */
+    dmi_gltf_list of;           /* the list that the item is in */
     const char* not_beside;     /* a member that excludes this one */
 } field;
 
 enum { ANY = -1, COLUMN = 4, CELLS = 16 };
 #define EACH "*"
 
-/* How far the last row of a matrix may be off 0 0 0 1: floats that an exporter multiplied are off by 1e-6. By hand. */
+/* How far the last row of a matrix may be off 0 0 0 1; by hand: floats that an exporter multiplied are off by 1e-6. */
 #define ROW_ERROR 1e-3
 
 /* ---- the fields ---- */
@@ -176,14 +176,14 @@ static const field root[] = {
 
 /* ---- places ---- */
 
-/* A field or an item of a list, in what holds it. */
+/* The place of a field, or of an item of a list, in what holds it. */
 typedef struct place {
     const struct place* in;
     const char* name;
-    int index; /* of an item; -1: the field */
+    int index; /* index of an item; -1: the field itself */
 } place;
 
-/* Writes nodes[3].scale. Returns its length; what does not fit is cut. */
+/* Writes the place, such as nodes[3].scale. Returns its length. What does not fit is cut. */
 static size_t write_place(const place* at, char* out, size_t size) {
     const size_t length = at->in ? write_place(at->in, out, size) : 0;
     const int more = at->index >= 0 ? snprintf(out + length, size - length, "[%d]", at->index)
@@ -192,7 +192,7 @@ static size_t write_place(const place* at, char* out, size_t size) {
     return end < size ? end : size - 1;
 }
 
-/* What a value is, for a message. */
+/* Describes a value for a message. */
 static void write_value(const cJSON* value, char* out, size_t size) {
     if (cJSON_IsNumber(value))
         snprintf(out, size, "%.17g", value->valuedouble);
@@ -228,7 +228,8 @@ static int is_wrap(const cJSON* value) {
             value->valuedouble == DM_GLTF_WRAP_MIRROR);
 }
 
-/* What the number at `index` of a matrix must be; -1: any. A matrix that was written row by row has others there. */
+/* Returns what the number at `index` of a matrix must be, or -1 for any. A matrix that was written row by row has
+ * others there. */
 static int last_of_column(int index) {
     return index % COLUMN != COLUMN - 1 ? -1 : index == CELLS - 1;
 }

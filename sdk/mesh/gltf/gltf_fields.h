@@ -4,9 +4,9 @@
 
 #include "mesh/gltf/gltf_document.h"
 
-/* Checks the fields that this library reads without a question: whether an index is one, a list of numbers is as long
- * as glTF has it, a name is text, and an object is one. BAD_DATA names the field, what it must be and what it is. What
- * else may be wrong with counts, sizes and offsets is refused where they are read. */
+/* Checks the fields that this library reads without another check: an index must be one, a list of numbers as long as
+ * glTF has it, a name text, and an object an object. Answers BAD_DATA, with the field, what it must be and what it is.
+ * Other faults of counts, sizes and offsets are refused where these are read. */
 dm_result dmi_gltf_check_fields(const dmi_gltf_document* document, dmi_gltf_problem* problem);
 
 #endif

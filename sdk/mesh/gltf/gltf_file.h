@@ -13,16 +13,16 @@
  * By hand: 309 objects that people made took 4 at most (28 November 2026), and files repeat a mesh some times over. */
 #define DMI_GLTF_BYTES_PER_BYTE 64
 #define DMI_GLTF_BYTES_ALWAYS (64u << 20)
-/* The same of a byte of a Draco stream, which holds half a vertex and a triangle. By hand. */
+/* The same for a byte of a Draco stream, which holds half a vertex and a triangle; by hand. */
 #define DMI_GLTF_BYTES_PER_DRACO_BYTE 256
 
 /* Bytes of a buffer of the file. */
 typedef struct dmi_gltf_buffer {
     const uint8_t* data; /* NULL: it has none, which is right for the fallback of compressed views */
     uint64_t size;
-    uint8_t* decoded; /* of a data: URI; owned */
+    uint8_t* decoded; /* bytes of a data: URI; owned */
     uint64_t decoded_size;
-    const void* file; /* the host's; given back with dm_gltf_files.close */
+    const void* file; /* the host's handle, which dm_gltf_files.close gets back */
     uint64_t file_size;
 } dmi_gltf_buffer;
 
@@ -35,7 +35,7 @@ typedef struct dmi_gltf_decoded {
     uint64_t size;
     dmi_draco* draco;
     dmi_gltf_block* blocks;
-    uint8_t refused; /* 1: what is compressed does not decode, and the plain data stands for it */
+    uint8_t refused; /* 1: the compressed data does not decode, and the plain data stands for it */
 } dmi_gltf_decoded;
 
 /* A node of the file. */
@@ -45,32 +45,32 @@ typedef struct dmi_gltf_tree_node {
     int32_t parent;     /* -1: none */
     int32_t named;      /* the nearest node above that has a name; -1: none */
     int32_t mesh;       /* -1: none */
-    int32_t follows;    /* of what is not shown: the node with which it goes; -1: none */
+    int32_t follows;    /* node with which one that is not shown goes; -1: none */
     uint8_t placed;     /* it hangs below a root, so that it has a place in the world */
     uint8_t in_scene;   /* the scene has it, or a level of detail of what the scene has */
     uint8_t shown;      /* the scene has it, and it is visible, no collider and no coarser level of detail */
-    uint8_t joint;      /* a skin's */
+    uint8_t joint;      /* it is a joint of a skin */
     uint8_t pivot_kind; /* dmi_pivot_kind */
     double world[16];   /* node to scene, column-major */
 } dmi_gltf_tree_node;
 
 typedef struct dmi_gltf_name {
     const char* name;
-    uint32_t node; /* of the file */
+    uint32_t node; /* node of the file */
 } dmi_gltf_name;
 
 /* Triangles of one primitive that move with one node, as they lie in the merged mesh. */
 typedef struct dmi_gltf_piece {
     uint32_t node;      /* position in dm_gltf.nodes */
-    uint32_t mesh_node; /* of the file: the node that has the mesh */
+    uint32_t mesh_node; /* node of the file that has the mesh */
     uint32_t primitive; /* position in that node's mesh */
     const cJSON* json;  /* the primitive */
     uint32_t mirrored;  /* the node's transform mirrors, so the triangles were turned over */
-    int32_t joint;      /* of the skin, that places most of the vertices; -1: the node does */
+    int32_t joint;      /* joint of the skin that places most of the vertices; -1: the node does */
     uint64_t first_face, face_count;
 } dmi_gltf_piece;
 
-/* What dm_gltf_open_file has read: the file's folder and its bytes. Zeros: the host hands files and bytes over. */
+/* What dm_gltf_open_file has read: the file's folder and its bytes. Zeros: the host hands over files and bytes. */
 typedef struct dmi_gltf_on_disk {
     char* folder;
     size_t folder_size;
@@ -82,34 +82,34 @@ struct dm_gltf {
     dmi_env env;
     dm_gltf_files files;
     dmi_gltf_on_disk on_disk;
-    dmi_progress progress; /* of the call at hand */
+    dmi_progress progress; /* progress of the call that runs */
     float told;
     uint64_t untold;           /* vertices and triangles since the last report */
     dmi_gltf_problem left_out; /* the first thing that was left out */
     uint8_t has_one_of_instances, pivots_are_lost;
-    dmi_gltf_warnings warnings; /* of the call at hand */
+    dmi_gltf_warnings warnings; /* warnings of the call that runs */
     dmi_gltf_document document;
-    uint8_t* bin_copy; /* of the binary chunk; NULL where the bytes stay */
+    uint8_t* bin_copy; /* copy of the binary chunk; NULL where the bytes stay */
     const uint8_t* bin;
     uint64_t bin_size;
-    dmi_gltf_buffer* buffers;        /* as many as the document has */
-    dmi_gltf_decoded* decoded;       /* as many as the document has views */
-    uint8_t* sparse_fit;             /* as many as the document has accessors: what is known of their changes */
-    dmi_gltf_buffer* images;         /* as many as the document has; NULL until one is asked for */
-    uint64_t bytes_most, bytes_left; /* of the memory that a call may take, and may still take */
+    dmi_gltf_buffer* buffers;        /* one a buffer of the document */
+    dmi_gltf_decoded* decoded;       /* one a view of the document */
+    uint8_t* sparse_fit;             /* one an accessor of the document: what is known of its sparse changes */
+    dmi_gltf_buffer* images;         /* one an image of the document; NULL until one is asked for */
+    uint64_t bytes_most, bytes_left; /* bytes of memory that a call may take, and may still take */
     uint64_t draco_left;             /* bytes of the file that no Draco stream has taken yet */
-    dmi_gltf_tree_node* tree;        /* as many as the document has nodes */
-    dmi_gltf_name* names;            /* of all nodes, sorted; of one name in the file's order */
+    dmi_gltf_tree_node* tree;        /* one a node of the document */
+    dmi_gltf_name* names;            /* names of all nodes, sorted; nodes of one name are in the file's order */
     uint32_t* order;                 /* placed nodes, parents before children */
     uint32_t order_count;
     dm_gltf_node* nodes; /* what has triangles: nodes with a mesh, and bones */
     uint32_t node_count, node_capacity;
     dmi_gltf_piece* pieces;
     uint32_t piece_count, piece_capacity;
-    double origin[3]; /* of the merged mesh, in the scene */
+    double origin[3]; /* origin of the merged mesh in the scene */
     float* positions;
     uint32_t* indices;
-    uint32_t* sources; /* of a vertex: its position in the primitive's accessors */
+    uint32_t* sources; /* per vertex: its position in the primitive's accessors */
     /* Position that a vertex and a face have in the file's order; NULL: the same as here. Skins sort by bones. */
     uint32_t *vertex_places, *face_places;
     uint64_t vertex_count, face_count;
@@ -121,7 +121,7 @@ void dmi_gltf_release_on_disk(dmi_env* env, const dmi_gltf_on_disk* on_disk);
 /* Counts vertices and triangles that were worked on, and reports after DMI_PROGRESS_STEP of them that `share` of the
  * call is done; a lower share than before: as much as before. CANCELLED, as a problem, when the host asks to stop. */
 dm_result dmi_gltf_tell(dm_gltf* gltf, float share, uint64_t work, dmi_gltf_problem* problem);
-/* Takes memory out of what the file may cost; TOO_LARGE when it is used up. */
+/* Takes memory out of what the file may cost. Answers TOO_LARGE when it is used up. */
 dm_result dmi_gltf_spend(dm_gltf* gltf, uint64_t count, uint64_t element, const char* place, dmi_gltf_problem* problem);
 /* Takes memory of the arena, within what the file may cost; NULL: says why, as a problem. */
 void* dmi_gltf_push(dm_gltf* gltf, dmi_arena* arena, uint64_t count, size_t element, dmi_gltf_problem* problem);
@@ -130,7 +130,7 @@ void* dmi_gltf_push(dm_gltf* gltf, dmi_arena* arena, uint64_t count, size_t elem
 uint64_t dmi_gltf_grant_draco(dm_gltf* gltf, uint64_t size);
 void dmi_gltf_take_back(dm_gltf* gltf, uint64_t granted);
 
-/* Warns that a piece of the file is left out; when nothing else is there, the first such problem is the error. */
+/* Warns that a piece of the file is left out. When nothing else is there, the first such problem is the error. */
 void dmi_gltf_leave_out(dm_gltf* gltf, const dmi_gltf_problem* problem);
 
 #endif

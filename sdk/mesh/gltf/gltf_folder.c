@@ -31,7 +31,7 @@ dm_result dmi_gltf_read_file(dmi_env* env, const char* path, dmi_gltf_contents* 
     return result;
 }
 
-/* Writes the file's path, if links don't lead out of the folder. */
+/* Writes the file's path. Returns 0 when links lead out of the folder. */
 static int find_inside(const char* folder, const char* path, char out[DMI_DISK_PATH]) {
     char base[DMI_DISK_PATH], joined[DMI_DISK_PATH];
     if (!dmi_disk_real_path(folder, base)) return 0;

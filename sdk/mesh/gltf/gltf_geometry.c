@@ -1,4 +1,4 @@
-/* Geometry of primitives: in accessors, or in a Draco stream. */
+/* Finds the geometry of primitives, in accessors or in a Draco stream. */
 #include "mesh/gltf/gltf_geometry.h"
 
 #include <inttypes.h>
@@ -7,7 +7,7 @@
 
 #include "mesh/gltf/gltf_buffers.h"
 
-/* Memory that Draco takes while it decodes, by hand: its corner table, its maps and its attributes. */
+/* Bytes a point that Draco takes while it decodes, for its corner table, its maps and its attributes; by hand. */
 #define DRACO_BYTES_A_POINT 64
 #define DRACO_BYTES_A_FACE 64
 
@@ -16,14 +16,14 @@
 /* Decoded elements of a Draco stream, in the list of its view. */
 struct dmi_gltf_block {
     dmi_gltf_block* next;
-    uint64_t size; /* of the whole block */
-    uint32_t id;   /* of the attribute; FACES: of the corners */
+    uint64_t size; /* size of the whole block */
+    uint32_t id;   /* id of the attribute; FACES: the block holds the corners */
     int32_t type;
     uint32_t values[];
 };
 #define FACES UINT32_MAX
 
-/* Whether the positions of a primitive are there without Draco too, as in a file whose Draco is optional. */
+/* Returns whether the positions of a primitive are there without Draco too, as in a file whose Draco is optional. */
 static int has_plain_data(const dm_gltf* gltf, const cJSON* primitive) {
     const double positions = dmi_json_number(dmi_json_get(primitive, "attributes"), "POSITION", DMI_GLTF_NO_INDEX);
     return dmi_json_get(dmi_gltf_item(&gltf->document, DMI_GLTF_ACCESSORS, positions), "bufferView") != NULL;
@@ -75,7 +75,7 @@ static dm_result open_draco(dm_gltf* gltf, const cJSON* primitive, const char* p
     return dmi_gltf_refuse(problem, result, "%s: %s: %s", place, DMI_DRACO_NAME, reason);
 }
 
-/* The elements of the block, which is filled when it is new. */
+/* Returns the elements of the block, which is filled when it is new. */
 static dm_result read_block(dm_gltf* gltf, dmi_gltf_decoded* decoded, uint32_t id, int32_t type, const char* place,
                             dmi_gltf_problem* problem, dmi_gltf_elements* out) {
     dmi_gltf_block* block = decoded->blocks;
@@ -178,7 +178,7 @@ static dm_result find_indices(dm_gltf* gltf, const cJSON* primitive, const char*
     return DM_OK;
 }
 
-/* Joints and weights of every vertex; sets that don't fit the vertices end the list. */
+/* Finds joints and weights of every vertex. A set that does not fit the vertices ends the list. */
 static dm_result find_joints(dm_gltf* gltf, const cJSON* primitive, const char* place, dmi_gltf_problem* problem,
                              dmi_gltf_geometry* out) {
     const cJSON* attributes = dmi_json_get(primitive, "attributes");
@@ -234,7 +234,7 @@ static dm_result find_geometry(dm_gltf* gltf, const cJSON* primitive, const char
     return result == DM_OK ? find_joints(gltf, primitive, place, problem, out) : result;
 }
 
-/* Puts the plain data in the place of a Draco stream that the file does not need. Returns whether it does. */
+/* Takes the plain data when a Draco stream does not decode and the file does not need it. Returns whether it does. */
 static int refuse_draco(dm_gltf* gltf, const cJSON* primitive, const dmi_gltf_problem* problem) {
     const cJSON* draco = dmi_gltf_draco_of(gltf, primitive);
     if (!draco || problem->fatal || !has_plain_data(gltf, primitive)) return 0;

@@ -4,7 +4,8 @@
 
 #include "mesh/gltf/gltf_accessor.h"
 
-#define DMI_GLTF_JOINT_SETS 4 /* of JOINTS_n and WEIGHTS_n, four bones a vertex each; files have one or two */
+/* Most sets of JOINTS_n and WEIGHTS_n, four bones a vertex each; files have one or two. */
+#define DMI_GLTF_JOINT_SETS 4
 
 typedef struct dmi_gltf_geometry {
     int32_t mode;    /* DMI_GLTF_TRIANGLES … */
@@ -17,16 +18,17 @@ typedef struct dmi_gltf_geometry {
     double joint_key;
 } dmi_gltf_geometry;
 
-/* Finds the geometry of a primitive and checks it but for the values of indices and positions. */
+/* Finds the geometry of a primitive and checks it, except the values of indices and positions. */
 dm_result dmi_gltf_find_geometry(dm_gltf* gltf, const cJSON* primitive, const char* place, dmi_gltf_problem* problem,
                                  dmi_gltf_geometry* out);
 uint32_t dmi_gltf_key_count(const dm_gltf* gltf);
-/* The key that find_geometry would give; dmi_gltf_key_count when there is none. */
+/* Returns the key that find_geometry would give, or dmi_gltf_key_count when there is none. */
 uint32_t dmi_gltf_key(const dm_gltf* gltf, const cJSON* primitive);
 
-/* The Draco extension of a primitive that this build decodes; NULL: its accessors hold the data. */
+/* Returns the Draco extension of a primitive that this build decodes, or NULL when its accessors hold the data. */
 const cJSON* dmi_gltf_draco_of(const dm_gltf* gltf, const cJSON* primitive);
-/* Elements of an attribute of a Draco primitive, as its accessor describes them; NULL name: of the indices. */
+/* Finds the elements of an attribute of a Draco primitive, as its accessor describes them. name: NULL for the
+ * indices. */
 dm_result dmi_gltf_find_in_draco(dm_gltf* gltf, const cJSON* primitive, const char* attribute, const char* place,
                                  dmi_gltf_problem* problem, dmi_gltf_elements* out);
 

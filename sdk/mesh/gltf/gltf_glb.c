@@ -1,4 +1,4 @@
-/* A document as the bytes of a .glb. */
+/* Writes a document as the bytes of a .glb. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -15,7 +15,7 @@ enum { GLB_HEADER = 12, CHUNK_HEADER = 8, ALIGNMENT = 4 };
 /* Bytes between two reports: some milliseconds, where the memory is fresh; by hand. */
 #define COPIED_AT_ONCE ((uint64_t)1 << 22)
 
-/* cJSON writes 15 digits when they are near the number. Numbers that need all 17 are written here. */
+/* Sets the text of a number that needs all 17 digits. cJSON writes 15 digits when they are near the number. */
 static int keep_digits(cJSON* item) {
     char text[NUMBER_SIZE];
     snprintf(text, sizeof text, "%.15g", item->valuedouble);
@@ -28,14 +28,14 @@ static int keep_digits(cJSON* item) {
     return 1;
 }
 
-/* Of an item and all that it holds; how deep that nests was checked when it was read. */
+/* Does the same for an item and all that it holds. Its depth was checked when it was read. */
 static int keep_all_digits(cJSON* item) {
     int kept = cJSON_IsNumber(item) ? keep_digits(item) : 1;
     for (cJSON* child = item->child; child && kept; child = child->next) kept = keep_all_digits(child);
     return kept;
 }
 
-/* Lists that an edit has left empty: glTF has none. */
+/* Removes lists that an edit has left empty, because glTF has none. */
 static void drop_empty_lists(dmi_edit* e) {
     for (int list = 0; list < DMI_GLTF_LISTS; list++) {
         cJSON* found = cJSON_GetObjectItemCaseSensitive(e->document.root, dmi_gltf_list_names[list]);
@@ -44,7 +44,7 @@ static void drop_empty_lists(dmi_edit* e) {
     }
 }
 
-/* The document's text; NULL: no memory. To be released with cJSON_free. */
+/* Returns the document's text, or NULL when there is no memory. It is released with cJSON_free. */
 static char* print_document(dmi_edit* e, uint64_t bytes) {
     cJSON* buffers = cJSON_GetObjectItemCaseSensitive(e->document.root, "buffers");
     cJSON* first = buffers ? buffers->child : NULL;
@@ -61,7 +61,7 @@ static void put_u32(uint8_t* at, uint64_t value) {
     for (int i = 0; i < 4; i++) at[i] = (uint8_t)(value >> (8 * i));
 }
 
-/* Pads to a boundary of 4 bytes. */
+/* Writes a block, padded to a boundary of 4 bytes. */
 static void put_block(dmi_edit* e, uint8_t* out, const uint8_t* data, uint64_t size) {
     for (uint64_t at = 0; at < size && e->problem.code == DM_OK; at += COPIED_AT_ONCE) {
         memcpy(out + at, data + at, size - at < COPIED_AT_ONCE ? size - at : COPIED_AT_ONCE);
@@ -70,7 +70,7 @@ static void put_block(dmi_edit* e, uint8_t* out, const uint8_t* data, uint64_t s
     memset(out + size, 0, -size % ALIGNMENT);
 }
 
-/* The old buffers, each on a boundary of 4 bytes, and what was added. */
+/* Writes the old buffers, each on a boundary of 4 bytes, and what was added. */
 static void put_bytes(dmi_edit* e, uint8_t* out) {
     uint64_t at = 0;
     for (uint32_t i = 0; e->from && i < e->from->document.counts[DMI_GLTF_BUFFERS]; i++) {

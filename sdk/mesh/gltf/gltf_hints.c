@@ -12,8 +12,8 @@
 
 enum { COLUMN = DMI_GLTF_COLUMN, ORIGIN = DMI_GLTF_ORIGIN };
 
-/* Puts `name` and a '/' before what stands in the last `used` bytes of `out`. Returns the bytes used then: as before
- * where the name does not fit. */
+/* Puts `name` and a '/' before what stands in the last `used` bytes of `out`. Returns the bytes used then, which stay
+ * as they are where the name does not fit. */
 static size_t put_before(char* out, size_t size, size_t used, const char* name) {
     const size_t length = strlen(name), more = length + (used > 1);
     if (length == 0 || more > size - used) return used;

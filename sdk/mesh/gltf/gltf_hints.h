@@ -6,7 +6,7 @@
 
 #include "mesh/gltf/gltf_file.h"
 
-/* The name of a node's mesh; "" when it has none. */
+/* Returns the name of a node's mesh, or "" when it has none. */
 const char* dmi_gltf_mesh_name(const dm_gltf* gltf, const dmi_gltf_tree_node* node);
 /* Copies origin and axes from the node's transform to the scene, as the merged mesh has them. Returns false, and zeros,
  * where no float holds them. */

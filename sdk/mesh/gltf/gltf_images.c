@@ -1,11 +1,11 @@
-/* Images of files beside the document, which a .glb written elsewhere would lose. */
+/* Embeds images of files beside the document, which a .glb written elsewhere would lose. */
 #include "mesh/gltf/gltf_images.h"
 
 #include <string.h>
 
 #include "mesh/gltf/gltf_uri.h"
 
-/* The media type by the first bytes; NULL: none that glTF and its extensions have. */
+/* Returns the media type by the first bytes, or NULL for one that glTF and its extensions lack. */
 static const char* media_type(const uint8_t* data, size_t size) {
     static const struct {
         const char* type;

@@ -4,7 +4,7 @@
 
 #include "mesh/gltf/gltf_edit.h"
 
-/* Puts the images that the host hands over into the buffer; others keep their URIs. */
+/* Puts the images that the host hands over into the buffer. Others keep their URIs. */
 void dmi_images_embed(dmi_edit* e);
 
 #endif

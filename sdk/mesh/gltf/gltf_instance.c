@@ -12,7 +12,7 @@
 
 /* ---- lists ---- */
 
-/* Makes room for one more item of a list. NULL: `problem` says why. */
+/* Makes room for one more item of a list. Returns NULL on a failure, and `problem` says why. */
 static void* grow(dm_gltf* gltf, void* items, uint32_t count, uint32_t* capacity, size_t size,
                   dmi_gltf_problem* problem) {
     if (count < *capacity) return items;
@@ -62,7 +62,7 @@ static void store_position(dm_gltf* gltf, uint64_t vertex, const double position
     for (int k = 0; k < 3; k++) gltf->positions[3 * vertex + k] = (float)(position[k] - gltf->origin[k]);
 }
 
-/* Vertices and faces in the order of the file, from here on. */
+/* Notes that vertices and faces keep the order of the file from here on. */
 static void keep_order(dm_gltf* gltf, const dmi_gltf_shape* shape) {
     for (uint64_t v = gltf->vertex_count; gltf->vertex_places && v < gltf->vertex_count + shape->vertex_count; v++)
         gltf->vertex_places[v] = (uint32_t)v;
@@ -113,19 +113,19 @@ dm_result dmi_gltf_add_rigid(dm_gltf* gltf, const dmi_gltf_shape* shape, uint32_
 
 /* ---- placed by bones ---- */
 
-#define SKINNER_BYTES 40 /* of a vertex, and about as much of its faces, while a skin is applied */
+#define SKINNER_BYTES 40 /* bytes of a vertex, and about as much of its faces, while a skin is applied */
 
 typedef struct skinner {
     dm_gltf* gltf;
     const dmi_gltf_shape* shape;
     uint32_t node;
     dmi_gltf_skin skin;
-    uint32_t* joints;       /* a vertex */
-    double (*positions)[3]; /* a vertex */
-    uint32_t* vertices;     /* a vertex: where it comes to lie, from the first on */
-    uint32_t* face_joints;  /* a face */
-    uint32_t* faces;        /* in the new order: which face of the shape */
-    uint32_t* starts;       /* a joint and one more */
+    uint32_t* joints;       /* one a vertex */
+    double (*positions)[3]; /* one a vertex */
+    uint32_t* vertices;     /* per vertex: where it comes to lie, from the first on */
+    uint32_t* face_joints;  /* one a face */
+    uint32_t* faces;        /* per place in the new order: the face of the shape */
+    uint32_t* starts;       /* one a joint, and one more */
     uint32_t* vertex_starts;
 } skinner;
 
@@ -160,7 +160,7 @@ static void close_skinner(skinner* s) {
     dmi_gltf_close_skin(env, &s->skin);
 }
 
-/* Finds joint and place of every vertex, and checks that the places can be stored. */
+/* Finds joint and place of every vertex, and checks that floats hold the places. */
 static dm_result find_places(skinner* s, const char* place, dmi_gltf_problem* problem) {
     const int64_t mixed = dmi_gltf_skin_vertices(&s->skin, s->shape, s->joints, s->positions);
     if (mixed < 0) return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: vertices without a bone", place);
@@ -226,7 +226,7 @@ static void fill_face(skinner* s, uint64_t at, uint32_t mirrored) {
     gltf->face_places[gltf->face_count + at] = (uint32_t)(gltf->face_count + s->faces[at]);
 }
 
-/* Enters nodes and pieces for the sorted faces, and fills these. */
+/* Adds nodes and pieces for the sorted faces, and fills these. */
 static dm_result fill_faces(skinner* s, dmi_gltf_problem* problem) {
     dm_gltf* gltf = s->gltf;
     dm_gltf_node* entry = NULL;

@@ -6,7 +6,7 @@
 
 /* Appends the triangles of a node to the merged mesh, whose arrays have room for them. */
 dm_result dmi_gltf_add_rigid(dm_gltf* gltf, const dmi_gltf_shape* shape, uint32_t node, dmi_gltf_problem* problem);
-/* The same for a node with a skin: bone by bone. A skin that can't be used is left out with a warning. */
+/* Does the same for a node with a skin, bone by bone. A skin that cannot be used is left out with a warning. */
 dm_result dmi_gltf_add_skinned(dm_gltf* gltf, const dmi_gltf_shape* shape, uint32_t node, dmi_gltf_problem* problem);
 
 #endif

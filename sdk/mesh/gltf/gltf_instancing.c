@@ -1,4 +1,5 @@
-/* Instances as nodes: each may be a part, as a drawer of four, and nothing else of the library need know of them. */
+/* Makes nodes of instances. Each may be a part, such as one of four drawers, and the rest of the library need not know
+ * of instances. */
 #include "mesh/gltf/gltf_instancing.h"
 
 #include <inttypes.h>
@@ -8,8 +9,8 @@
 
 #include "mesh/gltf/gltf_accessor.h"
 
-/* Bytes of the node that an instance becomes: some 16 values of cJSON, and its places in the tree and among the names.
- * Counted. */
+/* Bytes of the node that an instance becomes, counted: some 16 values of cJSON, and its places in the tree and among
+ * the names. */
 #define BYTES_AN_INSTANCE 2048
 #define NAME_SIZE 256
 
@@ -57,7 +58,7 @@ static dm_result read_attributes(dm_gltf* gltf, const cJSON* extension, instance
     return DM_OK;
 }
 
-/* Whether all that moves, turns or scales an instance is finite. */
+/* Returns whether all that moves, turns or scales an instance is finite. */
 static bool is_finite(const instances* from, uint64_t instance) {
     for (int kind = 0; kind < ATTRIBUTES; kind++)
         for (int k = 0; from->has[kind] && k < kinds[kind].components; k++)
@@ -83,7 +84,7 @@ static bool add_transform(const instances* from, uint64_t instance, cJSON* node)
     return true;
 }
 
-/* The node of an instance; NULL: no memory. */
+/* Returns the node of an instance, or NULL when there is no memory. */
 static cJSON* make_node(const instances* from, uint64_t instance) {
     cJSON* node = cJSON_CreateObject();
     const char* name = dmi_json_text(from->node, "name");
@@ -98,13 +99,13 @@ static cJSON* make_node(const instances* from, uint64_t instance) {
     return NULL;
 }
 
-/* The list of children of the node, a new one where it has none; NULL: no memory. */
+/* Returns the list of children of the node, a new one where it has none, or NULL when there is no memory. */
 static cJSON* children_of(cJSON* node) {
     cJSON* children = cJSON_GetObjectItemCaseSensitive(node, "children");
     return children ? children : cJSON_AddArrayToObject(node, "children");
 }
 
-/* Takes mesh and extension away from the node, which its instances have now. */
+/* Removes mesh and extension from the node, because its instances have them now. */
 static void empty_node(cJSON* node) {
     cJSON* extensions = cJSON_GetObjectItemCaseSensitive(node, "extensions");
     cJSON_DeleteItemFromObjectCaseSensitive(node, "mesh");

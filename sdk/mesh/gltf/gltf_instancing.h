@@ -6,8 +6,8 @@
 
 #define DMI_INSTANCING_NAME "EXT_mesh_gpu_instancing"
 
-/* Puts nodes of their own in the place of instances, behind all nodes of the file: each is called as the node that had
- * them, with a dot and a number from 0 on, and hangs below it. Of instances that can't be read, one is left, with a
+/* Replaces instances by nodes of their own, behind all nodes of the file. Each is called as the node that had them,
+ * with a dot and a number from 0 on, and hangs below it. Where the instances cannot be read, one is left, with a
  * warning. */
 dm_result dmi_gltf_unroll_instances(dm_gltf* gltf, dmi_gltf_problem* problem);
 

@@ -26,9 +26,9 @@ static bool fits_float(double x) {
     return fabs(x) <= FLT_MAX;
 }
 
-/* Writes the joint in the frame of the merged mesh. frame: to the scene. A frame that mirrors turns the other way. The
- * lengths of a slide, and of a screw's pitch, are units of the frame along the axis. Returns false where floats can't
- * hold it, or the axis has no length. */
+/* Writes the joint in the frame of the merged mesh. frame: takes it to the scene. A frame that mirrors turns the other
+ * way. The lengths of a slide, and of a screw's pitch, are units of the frame along the axis. Returns false where
+ * floats cannot hold it, or the axis has no length. */
 static bool write_joint(const dm_gltf* gltf, const stated_joint* from, const double frame[16], dm_joint* out) {
     double axis[3], origin[3];
     const bool slides = from->type == DM_JOINT_PRISMATIC;
@@ -90,8 +90,8 @@ static int32_t find_type(const char* name) {
 typedef struct extras_form {
     const char* object; /* a member of `extras` that holds the others; NULL: `extras` itself */
     const char *type, *axis, *origin, *lower, *upper, *pitch;
-    bool of_node; /* in the node's frame; else in the scene's */
-    bool z_up;    /* as Blender has it, y backwards */
+    bool of_node; /* it is in the node's frame; else in the scene's */
+    bool z_up;    /* it has Blender's axes, y backwards */
 } extras_form;
 
 static const extras_form forms[] = {
@@ -107,7 +107,7 @@ static void turn_up(double v[3]) {
     v[2] = -y;
 }
 
-/* Reads a joint of one form. Returns whether there is one; `out->type` is UNKNOWN where it can't be read. */
+/* Reads a joint of one form. Returns whether there is one; `out->type` is UNKNOWN where it cannot be read. */
 static bool read_form(const cJSON* extras, const extras_form* form, stated_joint* out) {
     const cJSON* from = form->object ? dmi_json_get(extras, form->object) : extras;
     if (!dmi_json_get(from, form->type)) return false;
@@ -149,11 +149,11 @@ static dm_result read_extras(dm_gltf* gltf, dmi_gltf_asset* asset, uint32_t inde
 enum { ANGULAR = 3, FREEDOMS = 6 };
 typedef struct freedom {
     bool locked, limited;
-    double lower, upper; /* of one that is limited */
+    double lower, upper; /* limits of a freedom that is limited */
 } freedom;
 
 typedef struct physics_joint {
-    uint32_t node, connected; /* of the file */
+    uint32_t node, connected; /* nodes of the file */
     freedom freedoms[FREEDOMS];
 } physics_joint;
 
@@ -165,7 +165,8 @@ static const cJSON* item_at(const cJSON* list, double index) {
     return index >= 0 && index <= INT32_MAX && index == floor(index) ? cJSON_GetArrayItem(list, (int)index) : NULL;
 }
 
-/* Limits one axis. Returns false for what is no limit of one axis: a range around others, as of a ball joint. */
+/* Limits one axis. Returns false for a limit that holds for several axes together, such as the range of a ball
+ * joint. */
 static bool limit_axis(freedom* out, double lower, double upper, int axes) {
     if (lower > upper) return false;
     if (lower == upper) {
@@ -193,7 +194,7 @@ static bool read_axes(const cJSON* limit, const char* name, freedom* freedoms) {
     return true;
 }
 
-/* Reads limits. Returns false for what is no joint of one axis. */
+/* Reads limits. Returns false where they do not leave a joint of one axis. */
 static bool read_limits(const cJSON* limits, freedom freedoms[FREEDOMS]) {
     const cJSON* limit;
     cJSON_ArrayForEach(limit, limits) {
@@ -203,7 +204,7 @@ static bool read_limits(const cJSON* limits, freedom freedoms[FREEDOMS]) {
     return true;
 }
 
-/* The node at or above that has a motion of its own; -1: none. */
+/* Returns the node at or above that has a motion of its own, or -1 when there is none. */
 static int64_t find_body(const dm_gltf* gltf, int64_t node) {
     while (node >= 0 && !dmi_json_get(physics_of(gltf, node), "motion")) node = gltf->tree[node].parent;
     return node;
@@ -228,7 +229,7 @@ static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* How far the connected node's frame is off the joint's at rest: along axis i, or about it. */
+/* Returns how far the connected node's frame is off the joint's at rest, along axis i or about it. */
 static double offset_of(const dm_gltf* gltf, const physics_joint* joint, int which) {
     const double *a = gltf->tree[joint->node].world, *b = gltf->tree[joint->connected].world;
     const int i = which % 3, j = (i + 1) % 3, k = (i + 2) % 3;
@@ -240,7 +241,7 @@ static double offset_of(const dm_gltf* gltf, const physics_joint* joint, int whi
 }
 
 /* Writes the joint of the one way that is left free. The limits tell how the connected node may stand in the frame of
- * the joint's node; where this one moves, it goes the other way. Returns false where more than one is left. */
+ * the joint's node; where the latter moves, it goes the other way. Returns false where more than one way is left. */
 static bool find_stated(const dm_gltf* gltf, const physics_joint* from, bool connected_moves, stated_joint* out) {
     int free_one = -1;
     for (int i = 0; i < FREEDOMS; i++) {
@@ -281,7 +282,7 @@ static dm_result read_physics(dm_gltf* gltf, dmi_gltf_asset* asset, uint32_t nod
     const int64_t body = own < 0 || is_below(gltf, other, own) ? other : own;
     const uint32_t index = body >= 0 ? asset->places[body] : DM_ASSET_NO_NODE;
     joint.connected = connected >= 0 ? (uint32_t)connected : node;
-    if (body >= 0 && index == DM_ASSET_NO_NODE) return DM_OK; /* it has no triangles */
+    if (body >= 0 && index == DM_ASSET_NO_NODE) return DM_OK; /* the body has no triangles */
     if (connected < 0 || body < 0 || own == other || !gltf->tree[connected].placed ||
         !read_limits(limits, joint.freedoms) || !find_stated(gltf, &joint, body == other, &stated) ||
         !write_joint(gltf, &stated, identity, &made)) {

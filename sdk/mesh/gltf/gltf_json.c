@@ -1,6 +1,6 @@
 /* JSON read by cJSON, whose memory comes from malloc: its hooks belong to the whole process, so they stay as they are.
- * A text of n bytes takes at most 40 n (a value of one byte and a comma: 64 bytes and the heap's own 16), and while it
- * is read 4 n more (a member of five bytes: 16 bytes of the list of names). */
+ * A text of n bytes takes at most 40 n (a value of one byte and a comma: 64 bytes and the heap's own 16), and 4 n more
+ * while it is read (a member of five bytes: 16 bytes of the list of names). */
 #include "mesh/gltf/gltf_json.h"
 
 #include <errno.h>
@@ -71,7 +71,7 @@ static size_t end_of_string(const char* text, size_t length, size_t at) {
     return at < length ? at : length;
 }
 
-/* Whether a string has a zero byte, as it is or as the escape: as a text in C it would end there. */
+/* Returns whether a string has a zero byte, as it is or as the escape. It would end there as a text in C. */
 static int has_zero(const char* string, size_t length) {
     for (size_t i = 0; i < length; i++) {
         if (string[i] == 0 || (length - i >= 6 && memcmp(string + i, "\\u0000", 6) == 0)) return 1;
@@ -80,7 +80,7 @@ static int has_zero(const char* string, size_t length) {
     return 0;
 }
 
-/* Whether the value of a member "uri" has a zero byte. */
+/* Returns whether the value of a member "uri" has a zero byte. */
 static int has_zero_in_uri(const char* text, size_t length) {
     static const char name[] = "\"uri\"";
     int is_uri = 0;
@@ -104,7 +104,7 @@ static void mend_strings(cJSON* item) {
 
 typedef struct member {
     cJSON* item;
-    uint32_t place; /* in its object */
+    uint32_t place; /* position in its object */
 } member;
 
 static int by_name_and_place(const void* a, const void* b) {
@@ -133,7 +133,7 @@ static dm_result keep_last_of_each_name(cJSON* object, dmi_gltf_problem* problem
 }
 
 /* Drops members whose name comes again in the same object. glTF forbids such names (2.0, section 2.7). The last one
- * counts, as in JavaScript; what is written then has every name once. */
+ * counts, as in JavaScript, so that every name is written once. */
 static dm_result drop_repeated_names(cJSON* item, dmi_gltf_problem* problem) {
     dm_result result = cJSON_IsObject(item) ? keep_last_of_each_name(item, problem) : DM_OK;
     for (cJSON* child = item->child; result == DM_OK && child; child = child->next)

@@ -1,4 +1,4 @@
-/* Levels of detail, by MSFT_lod and by names. */
+/* Finds levels of detail, by MSFT_lod and by names. */
 #include "mesh/gltf/gltf_lod.h"
 
 #include <ctype.h>
@@ -10,7 +10,7 @@
 
 #include "mesh/gltf/gltf_names.h"
 
-/* By hand: no exporter nests groups so deep, has so many levels, or so long names. */
+/* The bounds are set by hand: no exporter nests groups so deep, has so many levels, or so long names. */
 enum { DEEPEST = 256, MOST_DIGITS = 2, LONGEST_NAME = 256, MOST_NAMESAKES = 64 };
 
 /* ---- names ---- */
@@ -57,7 +57,7 @@ static int compare_stems(const level* a, const level* b) {
     return strcasecmp(a->tail, b->tail);
 }
 
-/* Levels of one thing lie side by side then, those of one parent in them, the finest first. */
+/* Sorts levels so that those of one thing lie side by side, those of one parent among them, the finest first. */
 static int compare_levels(const void* x, const void* y) {
     const level *a = x, *b = y;
     const int names = compare_stems(a, b);
@@ -75,14 +75,14 @@ static bool is_below(const dm_gltf* gltf, int32_t node, int32_t above) {
     return false;
 }
 
-/* Whether the node lies in a coarser level, as far as these are known. */
+/* Returns whether the node lies in a coarser level, as far as these are known. */
 static bool is_coarser(const dm_gltf* gltf, const int32_t* finest, int32_t node) {
     for (int depth = 0; node >= 0 && depth < DEEPEST; depth++, node = gltf->tree[node].parent)
         if (finest[node] >= 0) return true;
     return false;
 }
 
-/* Says that `coarse` is a coarser level of `fine`, unless that would hide `fine` as well. */
+/* Notes that `coarse` is a coarser level of `fine`, unless that would hide `fine` as well. */
 static void set_finest(const dm_gltf* gltf, int32_t coarse, int32_t fine, int32_t* finest) {
     if (finest[coarse] >= 0 || is_below(gltf, fine, coarse) || is_coarser(gltf, finest, fine)) return;
     finest[coarse] = fine;
@@ -106,8 +106,8 @@ static void read_extensions(const dm_gltf* gltf, const uint8_t* solid, int32_t* 
 
 /* ---- levels by name ---- */
 
-/* Returns the solid node beside the level, or above it and with a mesh, that has the same name without a level; -1:
- * there is none. */
+/* Returns the solid node beside the level, or above it and with a mesh, that has the same name without a level, or -1
+ * when there is none. */
 static int32_t find_unnumbered(const dm_gltf* gltf, const uint8_t* solid, const level* of) {
     char name[LONGEST_NAME];
     const int length = snprintf(name, sizeof name, "%.*s%s", (int)of->stem, of->name, of->tail);
@@ -121,7 +121,7 @@ static int32_t find_unnumbered(const dm_gltf* gltf, const uint8_t* solid, const 
     return -1;
 }
 
-/* The end of the levels from `first` on that are of one thing, and of one parent where `one_parent`. */
+/* Returns the end of the levels from `first` on that belong to one thing, and to one parent where `one_parent`. */
 static const level* find_end(const level* first, const level* end, bool one_parent) {
     const level* at = first;
     while (at < end && compare_stems(at, first) == 0 && (!one_parent || at->parent == first->parent)) at++;
@@ -136,8 +136,8 @@ static const level* find_least(const level* first, const level* end) {
     return least;
 }
 
-/* Links the levels of one thing and one parent, the finest first, to the finest: it may have another parent, or no
- * level in its name. Of two that are finest, both stay. */
+/* Links the levels of one thing and one parent, the finest first, to the finest. That one may have another parent, or
+ * no level in its name. Of two that are finest, both stay. */
 static void link_levels(const dm_gltf* gltf, const uint8_t* solid, const level* first, const level* end,
                         const level* least, int32_t* finest) {
     int32_t best = (int32_t)first->node;
@@ -175,7 +175,7 @@ static void read_names(const dm_gltf* gltf, const uint8_t* solid, level* levels,
     }
 }
 
-/* What lies in a coarser level is coarser too. */
+/* Marks what lies in a coarser level as coarser too. */
 static void spread(const dm_gltf* gltf, int32_t* finest) {
     for (uint32_t at = 0; at < gltf->order_count; at++) {
         const uint32_t node = gltf->order[at];

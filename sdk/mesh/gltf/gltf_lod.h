@@ -5,11 +5,11 @@
 #include "mesh/gltf/gltf_file.h"
 
 /* Writes for each node the finest level whose coarser one it is, or lies in; -1: it is no coarser level. `shown` must
- * be known but for levels of detail; `solid` says of a node that it or something below it is shown and has a mesh. */
+ * be known except for levels of detail. `solid`: 1 for a node when it or something below it is shown and has a mesh. */
 dm_result dmi_gltf_find_finest(dm_gltf* gltf, const uint8_t* solid, dmi_gltf_problem* problem, int32_t* out_finest);
 
-/* Returns the node at or below `finest` that is called as `node`, which lies in a coarser level of it; `finest` where
- * none is. */
+/* Returns the node at or below `finest` that is called as `node`, which lies in a coarser level of it, or `finest`
+ * where none is. */
 int32_t dmi_gltf_find_finer(const dm_gltf* gltf, int32_t finest, int32_t node);
 
 #endif

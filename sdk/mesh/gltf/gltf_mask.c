@@ -1,4 +1,4 @@
-/* Which faces move: by node names, or from a segmenter's mask. */
+/* Finds which faces move, by node names or from a segmenter's mask. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,9 +13,9 @@
 /* What is known of a node of the file while names are looked up. */
 enum {
     NAMED = 1,
-    CARRIED = 2, /* by a named one */
+    CARRIED = 2, /* a named one carries it */
     SOLID = 4,   /* it, or what it stands for and carries, has triangles */
-    CHECKED = 8  /* first of its name, all of which are NAMED */
+    CHECKED = 8  /* it is the first of its name, all of which are NAMED */
 };
 
 /* Finds which nodes have triangles. The name of a node with a skin stands for all bones of that mesh. */
@@ -36,7 +36,7 @@ static bool mark_named(const dm_gltf* gltf, const char* name, uint8_t* marks) {
     const dmi_gltf_namesakes found = dmi_gltf_find_nodes(gltf, name);
     uint8_t all = 0;
     if (found.count == 0) return false;
-    if (marks[found.first->node] & CHECKED) return true; /* the name came before, and was in order */
+    if (marks[found.first->node] & CHECKED) return true; /* the name came before, and had triangles */
     for (uint32_t i = 0; i < found.count; i++) all |= marks[found.first[i].node] |= NAMED;
     if (found.count > 1) marks[found.first->node] |= CHECKED;
     return (all & SOLID) != 0;
@@ -61,7 +61,7 @@ static void set_faces(const dm_gltf* gltf, const uint8_t* marks, uint8_t value, 
     }
 }
 
-/* The first few names, for a message. */
+/* Lists the first few names for a message. */
 static void list_names(const dm_gltf* gltf, char* out, size_t size) {
     size_t length = 0;
     out[0] = 0;
@@ -111,7 +111,8 @@ dm_result dm_gltf_mark_faces(const dm_gltf* gltf, const char* const* names, uint
     return result;
 }
 
-/* A mask of nothing, or of everything, is a mistake that is best named where the mask is read. */
+/* Checks the share of a mask. A mask of nothing, or of everything, is a mistake that is best named where the mask is
+ * read. */
 static dm_result check_share(dmi_env* env, const uint8_t* ids, uint64_t count) {
     uint64_t moving = 0;
     for (uint64_t i = 0; i < count; i++) moving += ids[i];
@@ -120,7 +121,7 @@ static dm_result check_share(dmi_env* env, const uint8_t* ids, uint64_t count) {
     return DM_OK;
 }
 
-/* Part ids of the mask's values, in the order of the file. */
+/* Writes part ids of the mask's values, in the order of the file. */
 static dm_result select_values(dmi_env* env, const dm_gltf* gltf, const int64_t* values, size_t count,
                                const int64_t* mask_value, uint8_t* ids, int32_t* out_scope, int* out_ambiguous) {
     if (!ids) return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "mask: no memory for %zu values", count);

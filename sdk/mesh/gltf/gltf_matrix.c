@@ -1,4 +1,4 @@
-/* Affine matrices in doubles: files place things far away, and scale them by much. */
+/* Affine matrices in doubles, because files place things far away, and scale them by much. */
 #include "mesh/gltf/gltf_matrix.h"
 
 #include <float.h>

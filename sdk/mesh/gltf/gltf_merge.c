@@ -21,11 +21,11 @@ typedef struct merger {
     dmi_gltf_builder builder;
     uint32_t* instances; /* nodes that are merged, in the order of the file, not of the walk */
     uint32_t instance_count;
-    double low[3], high[3]; /* about where they are, in the scene */
+    double low[3], high[3]; /* box about where they are, in the scene */
     int skinned;
 } merger;
 
-/* Whether the columns of the matrix span a plane at least: what else becomes of a triangle is a line or a point. */
+/* Returns whether the columns of the matrix span a plane at least. Otherwise a triangle becomes a line or a point. */
 static int spans_plane(const double m[16]) {
     double most = 0;
     for (int a = 0; a < 3; a++) {
@@ -40,7 +40,7 @@ static int is_skinned(const dm_gltf* gltf, uint32_t node) {
     return dmi_json_get(gltf->tree[node].json, "skin") != NULL;
 }
 
-/* The box of the shape's box in the scene. Returns 0 when floats can't hold it. */
+/* Computes the box of the shape's box in the scene. Returns 0 when floats cannot hold it. */
 static int place_box(const double m[16], const dmi_gltf_shape* shape, double low[3], double high[3]) {
     for (int row = 0; row < 3; row++) {
         low[row] = high[row] = m[12 + row];
@@ -55,7 +55,8 @@ static int place_box(const double m[16], const dmi_gltf_shape* shape, double low
     return 1;
 }
 
-/* The matrix by which the node's mesh is about where the scene has it: the node's, or that of its skin's first bone. */
+/* Finds the matrix by which the node's mesh is about where the scene has it: the node's, or that of its skin's first
+ * bone. */
 static dm_result find_matrix(dm_gltf* gltf, uint32_t node, double out[16], dmi_gltf_problem* problem) {
     dmi_gltf_skin skin = {NULL, 0};
     dmi_gltf_problem here = {.code = DM_OK};
@@ -65,12 +66,12 @@ static dm_result find_matrix(dm_gltf* gltf, uint32_t node, double out[16], dmi_g
     if (dmi_gltf_open_skin(gltf, index, "glTF", &here, &skin) == DM_OK)
         memcpy(out, skin.joints[0].matrix, sizeof skin.joints->matrix);
     dmi_gltf_close_skin(&gltf->env, &skin);
-    if (!here.fatal) return DM_OK; /* a skin that is not right is left out, later */
+    if (!here.fatal) return DM_OK; /* a faulty skin is left out later */
     *problem = here;
     return problem->code;
 }
 
-/* Enters a node, when its mesh has triangles and its transform leaves something of them. */
+/* Adds a node when its mesh has triangles and its transform leaves something of them. */
 static dm_result enter_node(merger* m, uint32_t index, dmi_gltf_problem* problem) {
     dm_gltf* gltf = m->gltf;
     const dmi_gltf_tree_node* node = &gltf->tree[index];
@@ -117,8 +118,8 @@ static dm_result enter_nodes(merger* m, dmi_gltf_problem* problem) {
     return DM_OK;
 }
 
-/* Rounds to a float. A function of its own: of a vector, as the SLP vectorizer makes them at -O3, gcc 12 takes
-   (double)(float)x for x. Nothing else in the library rounds so (docs/research/decisions.md, 45). */
+/* Rounds to a float. It is a function of its own because gcc 12 takes (double)(float)x for x where the SLP vectorizer
+ * makes vectors of it at -O3. Nothing else in the library rounds so (docs/research/decisions.md, 45). */
 DMI_NO_INLINE static double to_float(double x) {
     return (double)(float)x;
 }
@@ -130,7 +131,7 @@ static void choose_origin(merger* m) {
         distance = fmax(distance, fabs(m->high[k] + m->low[k]) / 2);
     }
     for (int k = 0; distance > FAR_AWAY * size && k < 3; k++)
-        m->gltf->origin[k] = to_float((m->high[k] + m->low[k]) / 2); /* as viewers can hold it */
+        m->gltf->origin[k] = to_float((m->high[k] + m->low[k]) / 2); /* floats hold it, so viewers can */
 }
 
 static dm_result take_room(merger* m, dmi_gltf_problem* problem) {
@@ -155,13 +156,14 @@ static dm_result take_room(merger* m, dmi_gltf_problem* problem) {
                            "glTF: no memory for %" PRIu64 " vertices and %" PRIu64 " triangles", vertices, faces);
 }
 
-/* Says for every node which one carries it: the nearest above it that has triangles. A bone that several meshes have
+/* Finds for every node which one carries it: the nearest above it that has triangles. A bone that several meshes have
  * goes with its first. */
 static dm_result find_carriers(dm_gltf* gltf, dmi_gltf_problem* problem) {
     const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];
     const dm_result result = dmi_gltf_spend(gltf, count, 2 * sizeof(uint32_t), "glTF: the nodes", problem);
     if (result != DM_OK) return result;
-    uint32_t* own = dmi_alloc(&gltf->env, 2 * (size_t)count * sizeof *own, 16); /* and what carries, behind it */
+    /* The nodes' own entries, and behind them what carries each. */
+    uint32_t* own = dmi_alloc(&gltf->env, 2 * (size_t)count * sizeof *own, 16);
     if (!own) return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u nodes", count);
     uint32_t* above = own + count;
     for (uint32_t i = 0; i < 2 * count; i++) own[i] = DM_GLTF_NO_CARRIER;

@@ -1,4 +1,4 @@
-/* Compressed buffer views. The decoder only asserts what it is called with, so everything is checked here. */
+/* Decodes compressed buffer views. The decoder only asserts what it is called with, so everything is checked here. */
 #include "mesh/gltf/gltf_meshopt.h"
 
 #include <inttypes.h>
@@ -10,7 +10,7 @@
 
 /* A vertex block spends at least 2 bits on 16 values of a byte each: 64 bytes come out of one. */
 #define MOST_BYTES_PER_BYTE 64
-#define LARGEST_STRIDE 256 /* bytes, of the vertex codec */
+#define LARGEST_STRIDE 256 /* most bytes of an element in the vertex codec */
 
 static const char* const names[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
 
@@ -32,7 +32,7 @@ static int is(const char* a, const char* b) {
     return a && strcmp(a, b) == 0;
 }
 
-/* Whether the filter takes elements of this size. */
+/* Returns whether the filter takes elements of this size. */
 static int filter_fits(const char* filter, uint64_t stride) {
     if (!filter || is(filter, "NONE")) return 1;
     if (is(filter, "OCTAHEDRAL")) return stride == 4 || stride == 8;

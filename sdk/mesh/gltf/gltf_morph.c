@@ -6,7 +6,7 @@
 
 #include "mesh/gltf/gltf_accessor.h"
 
-/* Targets that one primitive may have: faces have some 50. By hand. */
+/* Most targets of one primitive; by hand: faces have some 50. */
 #define MOST_TARGETS 256
 /* Bytes of a value of cJSON with its name; counted. */
 #define BYTES_A_VALUE 128
@@ -35,7 +35,7 @@ const cJSON* dmi_gltf_weights_of(const dm_gltf* gltf, const cJSON* node) {
     return cJSON_IsArray(weights) && !are_zeros(weights) ? weights : NULL;
 }
 
-/* NULL stands for zeros. */
+/* Returns whether two lists of weights are equal. NULL stands for zeros. */
 static bool are_equal(const cJSON* a, const cJSON* b) {
     const cJSON *x = a ? a->child : NULL, *y = b ? b->child : NULL;
     for (; x || y; x = x ? x->next : NULL, y = y ? y->next : NULL)
@@ -84,7 +84,7 @@ dm_result dmi_gltf_part_morphs(dm_gltf* gltf, dmi_gltf_problem* problem) {
     uint32_t meshes = before;
     dm_result result = dmi_gltf_spend(gltf, before, sizeof(cJSON*), "glTF: the meshes", problem);
     if (result != DM_OK) return result;
-    cJSON** firsts = dmi_alloc_zeroed(env, before * sizeof *firsts, 16); /* of a mesh: the first node that has it */
+    cJSON** firsts = dmi_alloc_zeroed(env, before * sizeof *firsts, 16); /* per mesh: the first node that has it */
     if (!firsts) return dmi_gltf_refuse(problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for %u meshes", before);
     for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES] && result == DM_OK; i++) {
         cJSON* node = gltf->document.items[DMI_GLTF_NODES][i];

@@ -1,4 +1,4 @@
-/* Which faces, nodes and trees of nodes move with which track. */
+/* Finds which faces, nodes and trees of nodes move with which track. */
 #include "mesh/gltf/gltf_moves.h"
 
 #include <inttypes.h>
@@ -21,7 +21,7 @@ static int32_t join(int32_t a, int32_t b) {
     return a == DMI_MOVES_EMPTY ? b : DMI_MOVES_MIXED;
 }
 
-/* Bones place what a skin moves, so a node with a skin is never moved itself. */
+/* Finds the track of each node. Bones place what a skin moves, so a node with a skin is never moved itself. */
 static void find_own(dmi_moves* m) {
     const dm_gltf* gltf = m->gltf;
     for (uint32_t p = 0; p < gltf->piece_count; p++) {
@@ -34,7 +34,7 @@ static void find_own(dmi_moves* m) {
     }
 }
 
-/* A joint stays where the other joints of its skin are. */
+/* Finds the track of each node with all below it. A joint stays where the other joints of its skin are. */
 static void find_below(dmi_moves* m) {
     const dm_gltf* gltf = m->gltf;
     for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES]; i++)

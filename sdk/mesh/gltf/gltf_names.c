@@ -1,4 +1,4 @@
-/* Names of nodes, sorted: a name is found in the logarithm of their number. */
+/* Sorts the names of nodes, so that a name is found in the logarithm of their number. */
 #include "mesh/gltf/gltf_names.h"
 
 #include <stdlib.h>
@@ -25,7 +25,7 @@ dm_result dmi_gltf_sort_names(dm_gltf* gltf, dmi_gltf_problem* problem) {
     return DM_OK;
 }
 
-/* Returns the first place from `low` on whose name is `name` or comes after it; after: comes after it. */
+/* Returns the first place from `low` on whose name is `name` or comes after it. after: only one that comes after it. */
 static uint32_t lower_bound(const dm_gltf* gltf, const char* name, uint32_t low, bool after) {
     uint32_t high = gltf->document.counts[DMI_GLTF_NODES];
     while (low < high) {
@@ -39,7 +39,7 @@ static uint32_t lower_bound(const dm_gltf* gltf, const char* name, uint32_t low,
     return low;
 }
 
-/* Finds the node that "#12" stands for; none where the name is not of this form, or there is no such node. */
+/* Finds the node that "#12" stands for. It finds none where the name is not of this form, or there is no such node. */
 static dmi_gltf_namesakes numbered_node(const dm_gltf* gltf, const char* name) {
     const dmi_gltf_namesakes none = {NULL, 0};
     const uint32_t count = gltf->document.counts[DMI_GLTF_NODES];

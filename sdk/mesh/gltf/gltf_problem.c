@@ -1,4 +1,4 @@
-/* Problems of files, as text. */
+/* Keeps problems of files as text. */
 #include "mesh/gltf/gltf_problem.h"
 
 #include <stdarg.h>
@@ -6,8 +6,8 @@
 
 #include "base/utf8.h"
 
-/* Most bytes of a warning where several are quoted: three of them, and the words between, fit a log message. By hand.
- */
+/* Most bytes of a warning where several are quoted; by hand: three of them, and the words between, fit a log
+ * message. */
 #define QUOTE_SIZE 144
 
 dm_result dmi_gltf_refuse(dmi_gltf_problem* problem, dm_result code, const char* format, ...) {

@@ -1,4 +1,4 @@
-/* Hidden nodes, colliders and levels of detail, and the nodes with which they go. */
+/* Finds hidden nodes, colliders and levels of detail, and the nodes with which they go. */
 #include "mesh/gltf/gltf_roles.h"
 
 #include <ctype.h>
@@ -10,23 +10,24 @@
 #include "mesh/gltf/gltf_lod.h"
 #include "mesh/gltf/gltf_names.h"
 
-/* Bytes of the longest name of a collider of which the node with it is looked for; by hand. */
+/* Most bytes of a collider's name whose node is searched for; by hand. */
 #define LONGEST_NAME 256
 
 /* ---- colliders ---- */
 
-/* Names that exporters give to shapes for collisions alone: of Unreal, Godot, and the common suffix. */
+/* Names that exporters give to shapes for collisions alone: those of Unreal, those of Godot, and the common suffix. */
 static const char* const prefixes[] = {"UCX_", "UBX_", "USP_", "UCP_"};
 static const char* const suffixes[] = {"_collider", "-colonly", "-convcolonly"};
 
-/* The length of a name without the number that Blender and others put behind it: door-colonly.001, door_collider2. */
+/* Returns the length of a name without the number that Blender and others put behind it: door-colonly.001,
+ * door_collider2. */
 static size_t length_without_number(const char* name, size_t length) {
     while (length > 0 && (isdigit((unsigned char)name[length - 1]) || strchr("._ ", name[length - 1]))) length--;
     return length;
 }
 
-/* Finds what a collider's name says of the node whose shape it is: the part of the name from `*out_first` on that is
- * `*out_length` long. Returns whether the name is that of a collider. */
+/* Finds the part of a collider's name that names the node whose shape it is: from `*out_first` on, `*out_length` long.
+ * Returns whether the name is that of a collider. */
 static bool split_collider_name(const char* name, size_t* out_first, size_t* out_length) {
     const size_t length = name ? strlen(name) : 0;
     for (size_t i = 0; name && i < sizeof prefixes / sizeof *prefixes; i++) {
@@ -53,7 +54,7 @@ static const char* mesh_name_of(const dm_gltf* gltf, const dmi_gltf_tree_node* n
     return node->mesh < 0 ? NULL : dmi_json_text(gltf->document.items[DMI_GLTF_MESHES][node->mesh], "name");
 }
 
-/* Returns the first solid node of this name; -1: there is none. */
+/* Returns the first solid node of this name, or -1 when there is none. */
 static int32_t find_solid(const dm_gltf* gltf, const uint8_t* solid, const char* name, size_t length) {
     char text[LONGEST_NAME];
     if (length == 0 || length >= sizeof text) return -1;
@@ -64,8 +65,8 @@ static int32_t find_solid(const dm_gltf* gltf, const uint8_t* solid, const char*
     return -1;
 }
 
-/* Returns the node that the name of a collider names, with or without a number behind it: UCX_door_01 is of door_01, or
- * of door. -1: it names none. */
+/* Returns the node that the name of a collider names, with or without a number behind it, or -1 when it names none.
+ * UCX_door_01 belongs to door_01, or to door. */
 static int32_t find_collided(const dm_gltf* gltf, const uint8_t* solid, const char* name) {
     size_t first, length;
     if (!split_collider_name(name, &first, &length)) return -1;
@@ -80,7 +81,8 @@ static bool is_hidden(const cJSON* node) {
     return cJSON_IsFalse(dmi_json_get(extension, "visible"));
 }
 
-/* A hidden node and a named group of colliders hide what they hold; a collider with a mesh hides itself alone. */
+/* Finds which nodes are shown. A hidden node and a named group of colliders hide what they hold; a collider with a mesh
+ * hides itself alone. */
 static void show_nodes(dm_gltf* gltf) {
     for (uint32_t at = 0; at < gltf->order_count; at++) {
         dmi_gltf_tree_node* node = &gltf->tree[gltf->order[at]];

@@ -1,4 +1,4 @@
-/* What of the scene is no body of its own: hidden nodes, shapes for collisions, coarser levels of detail. */
+/* Finds what of the scene is no body of its own: hidden nodes, shapes for collisions, coarser levels of detail. */
 #ifndef DMI_MESH_GLTF_ROLES_H
 #define DMI_MESH_GLTF_ROLES_H
 

@@ -1,4 +1,4 @@
-/* Values between keys: linear, on the sphere for rotations; steps; cubic splines. */
+/* Computes values between keys: linear, on the sphere for rotations; steps; cubic splines. */
 #include "mesh/gltf/gltf_sampler.h"
 
 #include <inttypes.h>
@@ -12,11 +12,12 @@
 /* A key of a spline has three values: the tangent into it, itself, the tangent out of it. */
 enum { INTO = 0, ITSELF = 1, OUT_OF = 2, OF_SPLINE = 3 };
 
-/* Cosine of half the angle between two rotations from which on they are mixed as vectors: the sine by which the arc is
- * divided loses its digits. By hand. */
+/* Cosine of half the angle between two rotations, from which on they are mixed as vectors, because the sine by which
+ * the arc is divided loses its digits; by hand. */
 #define ALMOST_SAME 0.9999
 
-/* What reading a value counts as, so that channels which share their keys end like repeated meshes. By hand. */
+/* Bytes that reading a value counts as, so that channels which share their keys are limited like repeated meshes; by
+ * hand. */
 #define BYTES_A_VALUE 4
 
 static dm_result check_sampler(const dmi_gltf_sampler* s, const char* place, dmi_gltf_problem* problem) {
@@ -62,7 +63,7 @@ static void read_value(const dmi_gltf_sampler* s, uint64_t key, int which, doubl
     for (int k = 0; k < s->components; k++) out[k] = dmi_gltf_value(&s->values, element, k);
 }
 
-/* Writes what is a share `t` of the way from a to b; of rotations, along the shorter arc. */
+/* Writes the value a share `t` of the way from a to b. Rotations take the shorter arc. */
 static void mix(const double a[4], const double b[4], double t, int components, double out[4]) {
     double from = 1 - t, to = t, cosine = 0;
     for (int k = 0; components == 4 && k < 4; k++) cosine += a[k] * b[k];
@@ -75,7 +76,7 @@ static void mix(const double a[4], const double b[4], double t, int components, 
     for (int k = 0; k < components; k++) out[k] = from * a[k] + to * sign * b[k];
 }
 
-/* The cubic Hermite spline of glTF 2.0, appendix C.5; `t` is a share of `span`, the time between the keys. */
+/* Computes the cubic Hermite spline of glTF 2.0, appendix C.5. `t` is a share of `span`, the time between the keys. */
 static void mix_cubic(const dmi_gltf_sampler* s, uint64_t key, double t, double span, double out[4]) {
     double a[4], b[4], leaving[4], coming[4];
     const double t2 = t * t, t3 = t2 * t;
@@ -88,7 +89,7 @@ static void mix_cubic(const dmi_gltf_sampler* s, uint64_t key, double t, double 
                  span * (t3 - t2) * coming[k];
 }
 
-/* Returns the last key that is not after the time; 0 before all. */
+/* Returns the last key that is not after the time, or 0 before all. */
 static uint64_t find_key(const dmi_gltf_sampler* s, double time) {
     uint64_t low = 0, high = s->times.count;
     while (high - low > 1) {

@@ -1,5 +1,5 @@
-/* Shapes: what a mesh has of triangles. A vertex accessor of one mesh alone is taken as it is; of one that several
- * meshes share, each takes the vertices that its triangles have. Primitives of a mesh share vertices. */
+/* Builds shapes, which are what a mesh has of triangles. A vertex accessor of one mesh alone is taken as it is. Of one
+ * that several meshes share, each takes the vertices that its triangles have. Primitives of a mesh share vertices. */
 #include "mesh/gltf/gltf_shape.h"
 
 #include <inttypes.h>
@@ -15,7 +15,7 @@
 #define PLACE_SIZE 192
 #define SEVERAL UINT32_MAX
 enum { WORD_BITS = 64 };
-/* Elements of an accessor for one that a mesh has, where it sorts those that it has; by hand. */
+/* Elements of an accessor for each one that a mesh has, from which on the mesh sorts those that it has; by hand. */
 enum { FEW = 64 };
 
 /* ---- who has which vertices ---- */
@@ -32,7 +32,7 @@ static void find_users_of(dmi_gltf_builder* builder, uint32_t mesh) {
     }
 }
 
-/* Of the meshes that the scene shows. */
+/* Finds the users of the keys among the meshes that the scene shows. */
 static void find_users(dmi_gltf_builder* builder) {
     const dm_gltf* gltf = builder->gltf;
     for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES]; i++) {
@@ -105,7 +105,7 @@ static dm_result grow_faces(dm_gltf* gltf, dmi_gltf_shape* shape, uint64_t added
     return DM_OK;
 }
 
-/* Corner `corner` of triangle `face`, as a position in the primitive's list (glTF 2.0 §3.7.2.1). */
+/* Returns corner `corner` of triangle `face`, as a position in the primitive's list (glTF 2.0 §3.7.2.1). */
 static uint64_t corner_of(int32_t mode, uint64_t face, uint32_t corner) {
     if (mode == DMI_GLTF_TRIANGLES) return 3 * face + corner;
     if (mode == DMI_GLTF_FAN) return corner == 2 ? 0 : face + 1 + corner;
@@ -119,7 +119,7 @@ static void spread(int32_t mode, const uint32_t* corners, uint64_t faces, uint32
     }
 }
 
-/* Whether all positions are finite: integers are, and floats whose exponent is not all ones. */
+/* Returns whether all positions are finite. Integers are, and floats whose exponent is not all ones. */
 static int are_finite(const dmi_gltf_elements* positions) {
     const uint32_t exponent = 0x7F800000u;
     uint32_t bad = 0;
@@ -135,7 +135,7 @@ static int are_finite(const dmi_gltf_elements* positions) {
     return !bad;
 }
 
-/* The same, asked once for an accessor. */
+/* Returns the same. It checks an accessor only once. */
 static int all_finite(dmi_gltf_builder* builder, const dmi_gltf_geometry* geometry) {
     enum { UNKNOWN, FINITE, NOT_FINITE };
     if (geometry->key == dmi_gltf_key_count(builder->gltf)) return are_finite(&geometry->positions);
@@ -144,7 +144,7 @@ static int all_finite(dmi_gltf_builder* builder, const dmi_gltf_geometry* geomet
     return *known == FINITE;
 }
 
-/* Says what is wrong with a triangle; DM_OK: nothing. */
+/* Reports what is wrong with a triangle, or DM_OK for nothing. */
 static dm_result check_triangle(const dmi_gltf_elements* positions, const uint32_t corners[3], uint64_t face,
                                 const char* place, dmi_gltf_problem* problem) {
     for (int c = 0; c < 3; c++) {
@@ -161,7 +161,7 @@ static dm_result check_triangle(const dmi_gltf_elements* positions, const uint32
     return DM_OK;
 }
 
-/* Takes bad triangles out of the list. Returns how many stay, and the first problem. */
+/* Removes bad triangles from the list. Returns how many stay, and the first problem. */
 static uint64_t drop_bad(const dmi_gltf_elements* positions, uint32_t* corners, uint64_t faces, const char* place,
                          dmi_gltf_problem* out_first) {
     uint64_t kept = 0;
@@ -175,7 +175,7 @@ static uint64_t drop_bad(const dmi_gltf_elements* positions, uint32_t* corners, 
     return kept;
 }
 
-/* Leaves out triangles whose vertices do not exist or are not finite; the whole primitive where all are so. */
+/* Leaves out triangles whose vertices do not exist or are not finite, and the whole primitive where all are so. */
 static dm_result check_corners(dmi_gltf_builder* builder, const dmi_gltf_geometry* from, uint32_t* corners,
                                uint64_t* inout_faces, const char* place, dmi_gltf_problem* problem) {
     const uint64_t faces = *inout_faces;
@@ -206,7 +206,7 @@ static dm_result read_corners(dmi_gltf_builder* builder, dmi_gltf_shape* shape, 
     if (listed && count % 3 != 0)
         dmi_gltf_warn(&gltf->warnings, "%s: %" PRIu64 " corners are not a multiple of 3, the last are left out", place,
                       count);
-    /* Three more corners than the triangles of a list have: the odd ones. */
+    /* A list may have three more corners than its triangles: the odd ones. */
     dm_result result = grow_faces(gltf, shape, faces + 1, place, problem);
     if (result == DM_OK && !listed) result = dmi_gltf_spend(gltf, count, sizeof(uint32_t), place, problem);
     if (result != DM_OK) return result;
@@ -226,14 +226,14 @@ static dm_result read_corners(dmi_gltf_builder* builder, dmi_gltf_shape* shape, 
 
 /* ---- primitives ---- */
 
-/* Whether the material lets nothing be seen: its alpha counts and is 0. */
+/* Returns whether the material is invisible: its alpha counts and is 0. */
 static int is_invisible(const dm_gltf* gltf, const cJSON* primitive) {
     float colour[4];
     const char* mode = dmi_json_text(dmi_gltf_material_of(gltf, primitive, colour), "alphaMode");
     return mode && (strcmp(mode, "BLEND") == 0 || strcmp(mode, "MASK") == 0) && colour[3] == 0;
 }
 
-/* The group of the mesh whose vertices the primitive has too, or a new one. */
+/* Returns the group of the mesh whose vertices the primitive has too, or a new one. */
 static uint32_t find_group(dmi_gltf_builder* builder, uint32_t mesh, const dmi_gltf_geometry* geometry) {
     dmi_gltf_shape* shape = &builder->shapes[mesh];
     const uint32_t key = geometry->key;
@@ -270,7 +270,7 @@ static dmi_gltf_group* add_run(dmi_gltf_builder* builder, uint32_t mesh, const d
     return g;
 }
 
-/* weights: of the morph targets, at rest; NULL: none. */
+/* Adds a primitive to the shape. weights: those of the morph targets at rest; NULL: none. */
 static dm_result add_primitive(dmi_gltf_builder* builder, uint32_t mesh, const cJSON* primitive, const cJSON* weights,
                                uint32_t index, const char* place, dmi_gltf_problem* problem) {
     dm_gltf* gltf = builder->gltf;
@@ -339,7 +339,7 @@ static void set_mark(dmi_gltf_builder* builder, uint64_t element, int on) {
     *word = on ? *word | bit : *word & ~bit;
 }
 
-/* Marks the elements that triangles have. Returns how many they are. */
+/* Marks the elements that triangles have. Returns how many there are. */
 static uint64_t mark_group(dmi_gltf_builder* builder, const dmi_gltf_shape* shape, const dmi_gltf_group* group) {
     uint64_t marked = 0;
     for (int32_t r = group->first_run; r >= 0; r = shape->runs[r].next) {
@@ -354,7 +354,7 @@ static uint64_t mark_group(dmi_gltf_builder* builder, const dmi_gltf_shape* shap
     return marked;
 }
 
-/* Whether so few elements are marked that sorting them is less work than a look at the marks of all. */
+/* Returns whether so few elements are marked that sorting them is less work than a look at the marks of all. */
 static int is_few(uint64_t marked, uint64_t elements) {
     return marked < elements / FEW;
 }
@@ -385,10 +385,10 @@ static void list_all(dmi_gltf_builder* builder, dmi_gltf_shape* shape, uint64_t 
     for (uint64_t e = 0; e < count; e++) add_vertex(builder, shape, e);
 }
 
-/* Lists the marked elements of many. */
+/* Lists the marked elements, where there are many. */
 static void list_marked(dmi_gltf_builder* builder, dmi_gltf_shape* shape, uint64_t count) {
     for (uint64_t e = 0; e < count; e++) {
-        if (builder->used[e / WORD_BITS] == 0) e |= WORD_BITS - 1; /* to the next word */
+        if (builder->used[e / WORD_BITS] == 0) e |= WORD_BITS - 1; /* skips to the next word */
         if (e < count && is_marked(builder, e)) add_vertex(builder, shape, e);
     }
 }
@@ -417,7 +417,7 @@ static void list_few(dmi_gltf_builder* builder, dmi_gltf_shape* shape, const dmi
     }
 }
 
-/* Fills the vertices of a group: of all elements, or of those that are marked. */
+/* Fills the vertices of a group from all elements, or from those that are marked. */
 static void fill_vertices(dmi_gltf_builder* builder, dmi_gltf_shape* shape, dmi_gltf_group* group, int whole,
                           uint64_t marked) {
     const dmi_gltf_elements* from = &group->geometry.positions;
@@ -438,7 +438,7 @@ static void fill_vertices(dmi_gltf_builder* builder, dmi_gltf_shape* shape, dmi_
     }
 }
 
-/* Names vertices where the triangles of the group name elements. */
+/* Replaces elements by vertices in the triangles of the group. */
 static void number_corners(dmi_gltf_builder* builder, dmi_gltf_shape* shape, const dmi_gltf_group* group) {
     for (int32_t r = group->first_run; r >= 0; r = shape->runs[r].next) {
         uint32_t* corners = shape->corners + 3 * shape->runs[r].first_face;
@@ -458,7 +458,8 @@ static void widen_box(const dmi_gltf_builder* builder, dmi_gltf_shape* shape, co
     }
 }
 
-/* Moves vertices that no triangle has to one that some has, where they lie outside of the box or are not finite. */
+/* Moves vertices that no triangle has, where they lie outside of the box or are not finite, to one that some triangle
+ * has. */
 static void mend_unused(dmi_gltf_shape* shape, const dmi_gltf_group* group) {
     const float* good = shape->local + 3 * (size_t)shape->corners[3 * shape->runs[group->first_run].first_face];
     for (uint64_t v = group->first_vertex; v < group->first_vertex + group->vertex_count; v++) {

@@ -10,13 +10,13 @@ typedef struct dmi_gltf_group {
     uint64_t first_vertex, vertex_count;
     int32_t first_run, last_run;
     int32_t unused;       /* it has vertices that no triangle has */
-    const cJSON* weights; /* of the morph targets of its one primitive; NULL: none */
+    const cJSON* weights; /* weights of the morph targets of its one primitive; NULL: none */
 } dmi_gltf_group;
 
 typedef struct dmi_gltf_run {
     uint32_t primitive, group;
     const cJSON* json;
-    int32_t next; /* of the same group; -1: none */
+    int32_t next; /* next run of the same group; -1: none */
     uint64_t first_face, face_count;
     float colour[4];
 } dmi_gltf_run;
@@ -24,13 +24,13 @@ typedef struct dmi_gltf_run {
 typedef struct dmi_gltf_shape {
     uint8_t shown;     /* some node that the scene shows has the mesh */
     uint8_t built;     /* the mesh was asked for; it may still be empty */
-    uint32_t capacity; /* of groups and runs: primitives of the mesh */
+    uint32_t capacity; /* capacity of groups and runs: primitives of the mesh */
     dmi_gltf_group* groups;
-    dmi_gltf_run* runs; /* a primitive that has triangles, in file order */
+    dmi_gltf_run* runs; /* one a primitive that has triangles, in file order */
     uint32_t group_count, run_count;
     float* local;       /* 3 a vertex */
-    uint32_t* elements; /* of a vertex: its position in the accessors */
-    uint32_t* corners;  /* 3 a face: vertices */
+    uint32_t* elements; /* per vertex: its position in the accessors */
+    uint32_t* corners;  /* 3 a face, as vertices */
     uint64_t vertex_count, vertex_capacity, face_count, face_capacity;
     float low[3], high[3]; /* box of the vertices that triangles have */
 } dmi_gltf_shape;
@@ -38,13 +38,13 @@ typedef struct dmi_gltf_shape {
 /* What building shapes needs, for all meshes of a file. */
 typedef struct dmi_gltf_builder {
     dm_gltf* gltf;
-    dmi_gltf_shape* shapes; /* a mesh of the file */
-    uint32_t* users;        /* a key: 1 + the mesh that has it; SEVERAL: more than one */
-    uint32_t* stamps;       /* a key: 1 + the mesh whose group is in `owners` */
-    uint32_t* owners;       /* a key: a group of the mesh being built */
-    uint8_t* finite;        /* a key: whether all its positions are finite, when that was asked */
-    uint64_t* used;         /* a bit an element of the group in hand */
-    uint32_t* places;       /* an element of it: its vertex */
+    dmi_gltf_shape* shapes; /* one a mesh of the file */
+    uint32_t* users;        /* per key: 1 + the mesh that has it; SEVERAL: more than one */
+    uint32_t* stamps;       /* per key: 1 + the mesh whose group is in `owners` */
+    uint32_t* owners;       /* per key: a group of the mesh being built */
+    uint8_t* finite;        /* per key: whether all its positions are finite, once that was checked */
+    uint64_t* used;         /* one bit an element of the group that is being built */
+    uint32_t* places;       /* per element of that group: its vertex */
     uint64_t element_capacity;
 } dmi_gltf_builder;
 

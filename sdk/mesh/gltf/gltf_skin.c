@@ -1,4 +1,4 @@
-/* Linear blend skinning (glTF 2.0 §3.7.3.3), in the pose that the nodes of the file have. */
+/* Applies linear blend skinning (glTF 2.0 §3.7.3.3), in the pose that the nodes of the file have. */
 #include "mesh/gltf/gltf_skin.h"
 
 #include <inttypes.h>
@@ -7,7 +7,7 @@
 
 #include "mesh/gltf/gltf_tree.h"
 
-/* Weights below it are what compression leaves of 0: two steps of a byte. */
+/* Least weight that counts, two steps of a byte: smaller ones are what compression leaves of 0. */
 #define SMALL_WEIGHT (2.0 / 255)
 
 void dmi_gltf_mark_joints(dm_gltf* gltf) {
@@ -76,7 +76,8 @@ void dmi_gltf_close_skin(dmi_env* env, dmi_gltf_skin* skin) {
     *skin = (dmi_gltf_skin){NULL, 0};
 }
 
-/* The blended place of a vertex. Returns its heaviest joint, -1 for none, and the sum of weights that others have. */
+/* Writes the blended place of a vertex. Returns its heaviest joint, or -1 for none, and the sum of weights that others
+ * have. */
 static int64_t blend(const dmi_gltf_skin* skin, const dmi_gltf_geometry* from, uint32_t element, const float local[3],
                      double out[3], double* out_others) {
     double sum = 0, heaviest = 0, at[3] = {0, 0, 0};

@@ -11,15 +11,15 @@
 typedef struct splitter {
     dmi_edit* e;
     const dmi_moves* moves;
-    const cJSON* primitives; /* of the mesh in the file */
+    const cJSON* primitives; /* primitives of the mesh in the file */
     uint32_t node, owner, primitive_count;
-    uint32_t first_piece, piece_count; /* of the node */
-    uint32_t* heads;                   /* a primitive: 1 + its first piece, from first_piece on; 0: none */
-    uint32_t* nexts;                   /* a piece: the same of the next */
-    uint64_t* counts;                  /* a primitive: its triangles that `owner` has */
-    uint64_t* totals;                  /* a primitive: all its triangles */
+    uint32_t first_piece, piece_count; /* pieces of the node */
+    uint32_t* heads;                   /* per primitive: 1 + its first piece, from first_piece on; 0: none */
+    uint32_t* nexts;                   /* per piece: the same of the next one */
+    uint64_t* counts;                  /* per primitive: its triangles that `owner` has */
+    uint64_t* totals;                  /* per primitive: all its triangles */
     int skinned;
-    dmi_gltf_skin skin; /* of a node whose part moves */
+    dmi_gltf_skin skin; /* skin of a node whose part moves */
 } splitter;
 
 static int open_splitter(splitter* s) {
@@ -72,7 +72,7 @@ static uint32_t* list_corners(const splitter* s, const dmi_gltf_piece* piece, in
 
 /* ---- the same vertices ---- */
 
-/* A copy of the primitive that has other triangles of the same vertices. */
+/* Copies the primitive with other triangles of the same vertices. */
 static cJSON* share_vertices(splitter* s, const cJSON* primitive, uint32_t index) {
     dmi_edit* e = s->e;
     const dm_gltf* gltf = s->moves->gltf;
@@ -95,7 +95,8 @@ static cJSON* share_vertices(splitter* s, const cJSON* primitive, uint32_t index
 
 /* ---- vertices of its own ---- */
 
-/* Numbers the vertices of the listed corners, in the order in which they come first. places: zeros, a merged vertex. */
+/* Numbers the vertices of the listed corners, in the order in which they come first. places: one a merged vertex,
+ * zeros. */
 static void number_vertices(uint32_t* places, uint32_t* corners, uint64_t count, uint32_t* vertices,
                             uint64_t* out_count) {
     *out_count = 0;
@@ -143,7 +144,7 @@ static cJSON* copy_pieces(splitter* s, const cJSON* primitive, uint32_t first, u
     return made;
 }
 
-/* Appends a primitive for each bone that moves some of it: bones turn normals each in their way. */
+/* Appends a primitive for each bone that moves some of it, because bones turn normals each in their way. */
 static void place_pieces(splitter* s, const cJSON* primitive, uint32_t index, cJSON* list) {
     for (uint32_t p = s->heads[index]; p; p = s->nexts[p - 1]) {
         const dmi_gltf_piece* piece = &s->moves->gltf->pieces[s->first_piece + p - 1];

@@ -1,4 +1,4 @@
-/* Surfaces: triangles with one material, the image of its base colour, and where their corners lie in it. */
+/* Reads surfaces: triangles with one material, the image of its base colour, and where their corners lie in it. */
 #include "mesh/gltf/gltf_surface.h"
 
 #include <math.h>
@@ -18,19 +18,20 @@ const cJSON* dmi_gltf_material_of(const dm_gltf* gltf, const cJSON* primitive, f
     return material;
 }
 
-/* What the material says of its base colour texture; NULL: it has none. */
+/* Returns what the material says of its base colour texture, or NULL when it has none. */
 static const cJSON* texture_info(const cJSON* material) {
     return dmi_json_get(dmi_json_get(material, "pbrMetallicRoughness"), "baseColorTexture");
 }
 
-/* The item of a list that a member names; NULL: there is none. */
+/* Returns the item of a list that a member names, or NULL when there is none. */
 static const cJSON* item_of(const dm_gltf* gltf, dmi_gltf_list list, const cJSON* object, const char* member) {
     return dmi_gltf_item(&gltf->document, list, dmi_json_number(object, member, DMI_GLTF_NO_INDEX));
 }
 
 /* ---- the image ---- */
 
-/* Position of the texture's image; -1: none. The formats of extensions come where there is no other one. */
+/* Returns the position of the texture's image, or -1 when there is none. An image of an extension counts where there is
+ * no other one. */
 static int64_t image_of(const dm_gltf* gltf, const cJSON* texture) {
     static const char* const formats[] = {"EXT_texture_webp", "KHR_texture_basisu", "MSFT_texture_dds"};
     double source = dmi_json_number(texture, "source", DMI_GLTF_NO_INDEX);
@@ -69,7 +70,7 @@ static dm_result find_image(dm_gltf* gltf, const cJSON* texture, dm_gltf_surface
         static const uint8_t nothing[1];
         if (result != DM_OK) {
             dmi_gltf_warn(&gltf->warnings, "%s; the image is left out", problem.text);
-            *image = (dmi_gltf_buffer){.data = nothing}; /* is not looked for again */
+            *image = (dmi_gltf_buffer){.data = nothing}; /* an image that is missing is not looked for again */
         }
     }
     out->image = image->size > 0 ? image->data : NULL;
@@ -106,7 +107,7 @@ dm_result dm_gltf_get_surface(dm_gltf* gltf, uint32_t index, dm_gltf_surface* ou
 
 /* ---- coordinates ---- */
 
-/* u' = m[0] u + m[1] v + m[2], v' = m[3] u + m[4] v + m[5] (KHR_texture_transform). */
+/* Reads a transform: u' = m[0] u + m[1] v + m[2], v' = m[3] u + m[4] v + m[5] (KHR_texture_transform). */
 static void read_transform(const cJSON* transform, double m[6]) {
     double offset[2] = {0, 0}, scale[2] = {1, 1};
     const double turn = dmi_json_number(transform, "rotation", 0);
@@ -116,7 +117,7 @@ static void read_transform(const cJSON* transform, double m[6]) {
     m[3] = sin(turn) * scale[0], m[4] = cos(turn) * scale[1], m[5] = offset[1];
 }
 
-/* Corners without coordinates, and coordinates that are not finite, are 0. */
+/* Writes the coordinates. They are 0 for corners without any, and where they are not finite. */
 static void write_coordinates(const dm_gltf* gltf, const dmi_gltf_piece* piece, const dmi_gltf_elements* from,
                               const double m[6], float* out) {
     for (uint64_t i = 0; i < 3 * piece->face_count; i++) {

@@ -4,7 +4,7 @@
 
 #include "mesh/gltf/gltf_file.h"
 
-/* Returns the primitive's material, and writes its base colour; NULL and white without one. */
+/* Returns the primitive's material, and writes its base colour. Without a material it returns NULL and writes white. */
 const cJSON* dmi_gltf_material_of(const dm_gltf* gltf, const cJSON* primitive, float out_colour[4]);
 
 #endif

@@ -1,10 +1,10 @@
-/* The tree of nodes: who carries whom, where they are in the world, and which of them the scene has. */
+/* Reads the tree of nodes: who carries whom, where they are in the world, and which of them the scene has. */
 #include "mesh/gltf/gltf_tree.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Of translation, rotation and scale (glTF 2.0 §5.25). */
+/* Composes translation, rotation and scale (glTF 2.0 §5.25). */
 static void compose(const cJSON* node, double out[16]) {
     double q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1}, t[3] = {0, 0, 0};
     dmi_json_numbers(node, "rotation", 4, q);
@@ -18,7 +18,7 @@ void dmi_gltf_local_matrix(const cJSON* node, double out[16]) {
     if (!dmi_json_numbers(node, "matrix", 16, out)) compose(node, out);
 }
 
-/* Whether `node` has a rotation without a direction, which compose takes as none. */
+/* Returns whether `node` has a rotation without a direction, which compose takes as none. */
 static int is_turned_nowhere(const cJSON* node) {
     double q[4] = {0, 0, 0, 1};
     dmi_json_numbers(node, "rotation", 4, q);
@@ -85,7 +85,8 @@ static dm_result list_roots(dm_gltf* gltf, dmi_gltf_problem* problem) {
     return DM_OK;
 }
 
-/* Walks from the roots: every node has one parent at most, so the walk meets it once, and a cycle has no root. */
+/* Places the nodes. It walks from the roots: every node has one parent at most, so the walk meets it once, and a cycle
+ * has no root. */
 static void place_nodes(dm_gltf* gltf) {
     for (uint32_t i = 0; i < gltf->document.counts[DMI_GLTF_NODES]; i++) {
         if (gltf->tree[i].parent < 0) gltf->order[gltf->order_count++] = i;

@@ -5,11 +5,11 @@
 #include "mesh/gltf/gltf_file.h"
 #include "mesh/gltf/gltf_matrix.h"
 
-/* Fills tree and order, but for what gltf_roles.h finds. Refuses nodes with two parents; nodes of a cycle are not
+/* Fills tree and order, except what gltf_roles.h finds. Refuses nodes with two parents; nodes of a cycle are not
  * placed. */
 dm_result dmi_gltf_read_tree(dm_gltf* gltf, dmi_gltf_problem* problem);
 
-/* Column-major matrix of a node, relative to its parent. */
+/* Writes the column-major matrix of a node, relative to its parent. */
 void dmi_gltf_local_matrix(const cJSON* node, double out[16]);
 
 #endif

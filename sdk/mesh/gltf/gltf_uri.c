@@ -1,4 +1,4 @@
-/* data: URIs in base64, and relative ones. */
+/* Decodes data: URIs in base64, and relative ones. */
 #include "mesh/gltf/gltf_uri.h"
 
 #include <string.h>
@@ -20,7 +20,7 @@ static char lower(char c) {
     return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
 }
 
-/* Whether `text` begins with `word`, which is in lower case, in any case of letters. */
+/* Returns whether `text` begins with `word`, which is in lower case, in any case of letters. */
 static int begins(const char* text, const char* word) {
     while (*word && lower(*text) == *word) text++, word++;
     return !*word;
@@ -30,7 +30,7 @@ int dmi_uri_is_data(const char* uri) {
     return begins(uri, data_scheme);
 }
 
-/* -1: no digit of base64. */
+/* Returns the value of a digit of base64, or -1 for another character. */
 static int digit_of(char c) {
     if (c >= 'A' && c <= 'Z') return c - 'A';
     if (c >= 'a' && c <= 'z') return c - 'a' + 26;
@@ -39,7 +39,7 @@ static int digit_of(char c) {
     return c == '/' || c == '_' ? 63 : -1;
 }
 
-/* Returns the bytes written; -1: no base64. */
+/* Decodes base64. Returns the bytes written, or -1 for a text that is none. */
 static int64_t decode_base64(const char* text, size_t length, uint8_t* out) {
     uint32_t bits = 0;
     int held = 0;
@@ -84,7 +84,7 @@ static int hex_of(char c) {
     return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-/* 0 where it holds a zero byte. */
+/* Decodes percent signs. Returns 0 where the path holds a zero byte. */
 static int decode_percent(const char* uri, char* path) {
     while (*uri) {
         const int high = uri[0] == '%' ? hex_of(uri[1]) : -1, low = high >= 0 ? hex_of(uri[2]) : -1;
@@ -96,7 +96,7 @@ static int decode_percent(const char* uri, char* path) {
     return 1;
 }
 
-/* Whether the path stays in its folder: its steps are names. */
+/* Returns whether the path stays in its folder, because its steps are names. */
 static int stays(const char* path) {
     if (!path[0] || strpbrk(path, "\\:")) return 0;
     for (const char* step = path;; step++) {

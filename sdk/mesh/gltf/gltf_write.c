@@ -1,4 +1,4 @@
-/* dm_gltf_write: meshes made elsewhere, as a static .glb. */
+/* Writes meshes made elsewhere as a static .glb (dm_gltf_write). */
 #include <inttypes.h>
 #include <math.h>
 
@@ -34,7 +34,8 @@ static int32_t add_material(dmi_edit* e, const float colour[4]) {
     const dmi_edit_item material = dmi_edit_add(e, DMI_GLTF_MATERIALS, NULL);
     cJSON* surface = dmi_edit_object(e, material.json, "pbrMetallicRoughness");
     double values[4];
-    for (int i = 0; i < 4; i++) values[i] = (double)dmi_fmaxf(0, dmi_fminf(1, colour[i])); /* glTF's range */
+    for (int i = 0; i < 4; i++)
+        values[i] = (double)dmi_fmaxf(0, dmi_fminf(1, colour[i])); /* glTF's range of a colour */
     dmi_edit_numbers(e, surface, "baseColorFactor", values, 4);
     dmi_edit_number(e, surface, "metallicFactor", 0);
     dmi_edit_number(e, surface, "roughnessFactor", 0.8);
