@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 done="plugin_api/src sdk/assets sdk/base sdk/kinematics/candidates sdk/kinematics/hints sdk/kinematics/inference
-    sdk/kinematics/kpp sdk/kinematics/limits sdk/kinematics/object sdk/kinematics/ranking sdk/math sdk/mesh/gltf sdk/motion sdk/nn sdk/segmentation"
+    sdk/kinematics/kpp sdk/kinematics/limits sdk/kinematics/object sdk/kinematics/ranking sdk/math sdk/mesh/export sdk/mesh/gltf sdk/motion sdk/nn sdk/segmentation"
 exec python3 - "${@:-$done}" <<'PYTHON'
 import collections
 import pathlib

@@ -1,13 +1,14 @@
-/* Meshes that lie in one plane. */
+/* Gives meshes that lie in one plane a volume. */
 #include "mesh/export/flat_mesh.h"
 
 #include <math.h>
 
 #include "math/elementary.h"
 
-/* Shares of a mesh's size: what is less high lies in one plane, and by how much a corner of that is lifted. By hand. */
+/* Shares of a mesh's size; by hand. A mesh that is less high than the first lies in one plane, and a corner of it is
+ * lifted by the second. */
 static const double flat = 1e-7, lift = 1e-6;
-/* What a lifted corner adds is an area of this by its height, m³. By hand: twenty times what MuJoCo 3 asks for. */
+/* Least area times height that a lifted corner adds, m³; by hand: twenty times what MuJoCo 3 asks for. */
 static const double least_volume = 2e-13;
 
 static void cross(const double a[3], const double b[3], double out[3]) {
@@ -17,7 +18,7 @@ static void cross(const double a[3], const double b[3], double out[3]) {
 }
 
 /* Writes a triangle's normal, twice its area long. Returns six times the volume between it and a corner of the first
- * one: 0 of those that lie in one plane with that. */
+ * triangle, which is 0 for triangles in one plane with that. */
 static double measure_face(const dmi_rig_mesh* mesh, uint32_t face, double out_normal[3]) {
     const float *a = mesh->points[mesh->faces[face][0]], *first = mesh->points[mesh->faces[0][0]];
     double sides[2][3], volume = 0;
@@ -32,7 +33,7 @@ static double length_of(const double v[3]) {
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/* The largest side of the box, about whose middle the points are. */
+/* Returns the largest side of the box, about whose middle the points are. */
 static double size_of(const dmi_rig_mesh* mesh) {
     double half = 0;
     for (uint32_t i = 0; i < mesh->point_count; i++)
@@ -40,7 +41,8 @@ static double size_of(const dmi_rig_mesh* mesh) {
     return 2 * half;
 }
 
-/* Writes by how much the largest triangle's corners are lifted. Returns that triangle; UINT32_MAX: none has an area. */
+/* Writes by how much the largest triangle's corners are lifted. Returns that triangle, or UINT32_MAX when none has an
+ * area. */
 static uint32_t find_lift(const dmi_rig_mesh* mesh, double* out_volume, double* out_area, double out_lift[3]) {
     double most = 0, normal[3];
     uint32_t largest = UINT32_MAX;
@@ -69,7 +71,7 @@ void dmi_lift_corner(dmi_rig_mesh* mesh, double most) {
 
 bool dmi_find_fourth_point(const dmi_rig_mesh* mesh, uint32_t* out_face, float out_point[3]) {
     double volume, area, up[3];
-    if (mesh->point_count >= 4) return false; /* literal: of a tetrahedron */
+    if (mesh->point_count >= 4) return false; /* literal: corners of a tetrahedron */
     *out_face = find_lift(mesh, &volume, &area, up);
     if (*out_face == UINT32_MAX) return false;
     for (int k = 0; k < 3; k++) out_point[k] = (float)((double)mesh->points[mesh->faces[*out_face][2]][k] + up[k]);

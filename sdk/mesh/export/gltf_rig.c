@@ -1,4 +1,4 @@
-/* dm_gltf_rig: the files of a rigged asset, in memory. */
+/* Makes the files of a rigged asset in memory (dm_gltf_rig). */
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -22,7 +22,7 @@ struct dm_gltf_rig {
     uint32_t count, capacity;
 };
 
-/* What a format can't hold of a joint, as a warning says it; NULL: it holds it. */
+/* A format, and what it cannot hold of a joint, as a warning says it; NULL: it holds the joint. */
 typedef struct format {
     uint32_t bit;
     const char* path;
@@ -145,7 +145,7 @@ static void warn_of_joints(dm_gltf_rig* rig, const dmi_rig_model* model, const f
 }
 
 static dm_result print_files(dm_gltf_rig* rig, const dmi_rig_model* model, uint32_t asked) {
-    rig->capacity = model->mesh_count + FORMATS + 1; /* with the GLB */
+    rig->capacity = model->mesh_count + FORMATS + 1; /* one more with the GLB */
     rig->files = dmi_alloc(&rig->env, rig->capacity * sizeof *rig->files, ALIGNMENT);
     if (rig->files == NULL) return dmi_fail(&rig->env, DM_ERROR_OUT_OF_MEMORY, "dm_gltf_rig_make: no memory");
     for (uint32_t m = 0; (asked & BESIDE_MESHES) && m < model->mesh_count; m++)

@@ -1,11 +1,11 @@
-/* Pieces of a mesh, found by two tables: of points by place, and of edges by their ends. */
+/* Finds the pieces of a mesh by two tables: of points by place, and of edges by their ends. */
 #include "mesh/export/mesh_pieces.h"
 
 #include <string.h>
 
 #define EMPTY UINT32_MAX
 
-/* By hand: multipliers of a hash, Knuth's and two primes that are used for grids. */
+/* Multipliers of a hash, Knuth's and two primes that are used for grids; by hand. */
 static const uint32_t hash_x = 2654435761u, hash_y = 805459861u, hash_z = 3674653429u;
 enum { MIX = 15 };
 
@@ -17,13 +17,13 @@ typedef struct edge {
 
 typedef struct finder {
     const dmi_rig_mesh* mesh;
-    uint32_t* welded;  /* of a point: the first one in its place */
-    uint32_t* parents; /* of a point: towards the point that stands for its piece */
+    uint32_t* welded;  /* per point: the first one in its place */
+    uint32_t* parents; /* per point: a step towards the point that stands for its piece */
     edge* edges;
-    uint32_t edge_mask; /* entries less one: a power of two less one */
+    uint32_t edge_mask; /* entries of the table of edges less one: a power of two less one */
 } finder;
 
-/* The least power of two of at least `count`, less one, doubled so that a table is never more than half full. */
+/* Returns the least power of two of at least twice `count`, less one, so that a table is never more than half full. */
 static uint32_t table_mask(uint64_t count) {
     uint64_t size = 1;
     while (size < 2 * count) size *= 2;
@@ -64,7 +64,7 @@ static bool weld(dmi_rig_model* model, finder* f) {
     return true;
 }
 
-/* The point that stands for a piece; ways there are halved. */
+/* Returns the point that stands for a piece. The ways there are halved. */
 static uint32_t root_of(finder* f, uint32_t point) {
     while (f->parents[point] != point) {
         f->parents[point] = f->parents[f->parents[point]];

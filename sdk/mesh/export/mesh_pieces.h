@@ -1,5 +1,5 @@
-/* Pieces of a mesh: what hangs together over its vertices, once those in one place are one, and whether each piece
- * closes a volume. */
+/* Pieces of a mesh: the faces that hang together over their vertices, once those in one place are one, and whether each
+ * piece closes a volume. */
 #ifndef DMI_MESH_EXPORT_MESH_PIECES_H
 #define DMI_MESH_EXPORT_MESH_PIECES_H
 
@@ -7,7 +7,7 @@
 
 typedef struct dmi_mesh_pieces {
     uint32_t* faces;  /* piece of each face */
-    uint8_t* is_open; /* of a piece: it has an edge at which not one face goes each way */
+    uint8_t* is_open; /* per piece: 1 when it has an edge at which not one face goes each way */
     uint32_t count;
 } dmi_mesh_pieces;
 

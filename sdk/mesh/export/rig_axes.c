@@ -1,10 +1,10 @@
-/* Turns between a body's axes and those of its joint or of its inertia. */
+/* Computes turns between a body's axes and those of its joint or of its inertia. */
 #include <math.h>
 
 #include "math/linear3.h"
 #include "mesh/export/rig_formats.h"
 
-/* Below this cosine plus one, two directions are opposite, and any way round will do. By hand: squared, a float's
+/* Cosine plus one below which two directions are opposite, so that any way round will do; by hand: squared, a float's
  * rounding. */
 static const double opposite = 1e-12;
 

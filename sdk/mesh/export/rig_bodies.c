@@ -1,4 +1,4 @@
-/* The parts of an asset as bodies: what moves hangs on what carries it, all else is one with it. */
+/* Makes bodies of the parts of an asset. What moves hangs on what carries it, and all else is one with it. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -18,7 +18,7 @@ static void put_z_up(const double y_up[3], double out[3]) {
     out[2] = y_up[1];
 }
 
-/* Whether a part moves by itself. */
+/* Returns whether a part moves by itself. */
 static bool moves(const dmi_rig_model* model, uint32_t part) {
     const dm_asset_part* p = &model->desc->parts[part];
     const int32_t type = model->desc->joints[part].type;
@@ -53,7 +53,7 @@ static void place_joint(const dmi_rig_model* model, uint32_t part, dmi_rig_body*
     body->pitch = (double)joint.pitch;
 }
 
-/* The name that the host has for a part, else that of the first node that has one; "" where none has. */
+/* Returns the name that the host has for a part, else that of the first node that has one, or "" where none has. */
 static const char* name_of(const dmi_rig_model* model, uint32_t part) {
     const dm_gltf_rig_desc* desc = model->desc;
     if (desc->part_names != NULL) return desc->part_names[part] != NULL ? desc->part_names[part] : "";

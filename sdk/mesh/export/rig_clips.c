@@ -1,4 +1,4 @@
-/* Tracks for dm_gltf_export: which faces go with a body, and how it goes from rest to open and back. */
+/* Makes tracks for dm_gltf_export: which faces go with a body, and how it goes from rest to open and back. */
 #include "mesh/export/rig_clips.h"
 
 #include <math.h>
@@ -10,13 +10,14 @@
 enum { KEYS = 41 };    /* key frames there and back; by hand */
 enum { VALUES = 255 }; /* part ids that one array of bytes tells apart */
 #define NO_TRACK UINT32_MAX
-static const float seconds_open = 2;   /* duration of the opening, s; by hand */
-static const float rest_share = 0.05f; /* of the range: an end this near to rest is where the part rests; by hand */
-static const float far_share = 0.5f;   /* of its size, that a part without limits slides; by hand */
+static const float seconds_open = 2; /* duration of the opening, s; by hand */
+/* Share of the range; a part whose end is this near to rest rests there; by hand. */
+static const float rest_share = 0.05f;
+static const float far_share = 0.5f; /* share of its size that a part without limits slides; by hand */
 static const float quarter_turn = 1.57079633f;
 
-/* The value at which a body counts as open: the end of its range that is away from rest; without limits, a quarter turn
- * or half its size on. */
+/* Returns the value at which a body counts as open: the end of its range that is away from rest. Without limits, it is
+ * a quarter turn or half the body's size. */
 static float open_value(const dmi_rig_model* model, const dmi_rig_body* body) {
     const dm_joint* joint = &model->desc->joints[body->part];
     const dm_asset_part* part = &model->desc->parts[body->part];
@@ -28,7 +29,7 @@ static float open_value(const dmi_rig_model* model, const dmi_rig_body* body) {
     return far_share * (float)sqrt(sides[0] * sides[0] + sides[1] * sides[1] + sides[2] * sides[2]);
 }
 
-/* Minimum jerk: it starts and ends at rest. */
+/* Returns the share of the way at a key, by minimum jerk, so that the motion starts and ends at rest. */
 static float share_at(uint32_t key) {
     const float way = 2 * (float)key / (KEYS - 1), t = way <= 1 ? way : 2 - way;
     return t * t * t * (10 - 15 * t + 6 * t * t); /* literal: its polynomial */
@@ -61,7 +62,7 @@ static uint32_t list_bodies(const dmi_rig_model* model, uint32_t* track_of, uint
     return count;
 }
 
-/* Marks the faces of the file by the track that moves each: an array for VALUES tracks. */
+/* Marks the faces of the file by the track that moves each. There is an array for each VALUES tracks. */
 static void mark_faces(const dmi_rig_model* model, const uint32_t* track_of, uint64_t face_count, uint8_t* ids) {
     for (uint32_t i = 0; i < model->shape_count; i++) {
         const dmi_rig_shape* shape = &model->shapes[i];

@@ -8,7 +8,7 @@
 typedef void dmi_rig_print(const dmi_rig_model* model, dmi_text* out);
 
 dmi_rig_print dmi_rig_print_urdf, dmi_rig_print_mjcf, dmi_rig_print_sdf, dmi_rig_print_usda, dmi_rig_print_tscn;
-/* One mesh as Wavefront's OBJ, in metres. */
+/* Prints one mesh as Wavefront's OBJ, in metres. */
 void dmi_rig_print_obj(const dmi_rig_mesh* mesh, dmi_text* out);
 
 /* Writes the shortest turn from x to a unit axis: a quaternion x, y, z, w. */
@@ -20,8 +20,8 @@ void dmi_rig_principal(const dmi_rig_body* body, double out_moments[3], double o
 
 #define DMI_RIG_MESHES "meshes/" /* the folder of the OBJ files */
 
-/* What the files of all formats state of a joint without limits of its own, and of how it is driven. By hand. */
-#define DMI_RIG_EFFORT 1000.0  /* N, N m: most that drives it */
-#define DMI_RIG_VELOCITY 100.0 /* m/s, rad/s: most that it moves */
+/* What the files of all formats state of a joint without limits of its own, and of how it is driven; by hand. */
+#define DMI_RIG_EFFORT 1000.0  /* N, N m; the most that drives it */
+#define DMI_RIG_VELOCITY 100.0 /* m/s, rad/s; the fastest that it moves */
 
 #endif

@@ -31,9 +31,9 @@ typedef struct writer {
     const dmi_rig_model* model;
     dm_gltf* scene;
     dmi_edit edit;
-    dmi_edit_item* tracks; /* of a body: its node; the root's is one that is added */
+    dmi_edit_item* tracks; /* per body: its node; the root's is one that is added */
     cJSON *shapes, *joints;
-    double origin[3]; /* of the asset frame in the scene */
+    double origin[3]; /* origin of the asset frame in the scene */
 } writer;
 
 /* Turns Z up and metres into Y up and units of the file. */
@@ -58,7 +58,8 @@ static double unit_of(const writer* w) {
 
 /* ---- nodes ---- */
 
-/* Finds the node of a part that its file's clip moves; of one that goes along with such a part, its first. */
+/* Finds the node of a part that its file's clip moves. For one that goes along with such a part, it finds its first
+ * node. */
 static int32_t find_clip_node(const writer* w, uint32_t part) {
     const dm_gltf_rig_desc* desc = w->model->desc;
     uint32_t found = DM_ASSET_NO_NODE, number = 0;
@@ -153,7 +154,7 @@ static void bound(writer* w, cJSON* limit, double lower, double upper) {
     dmi_edit_number(&w->edit, limit, "max", upper);
 }
 
-/* What the joint leaves free is its x axis: a way along it, or a turn about it. */
+/* Adds the description of a joint. What the joint leaves free is its x axis: a way along it, or a turn about it. */
 static int32_t add_description(writer* w, const dmi_rig_body* body) {
     dmi_edit* e = &w->edit;
     const bool slides = body->kind == DMI_RIG_SLIDE, limited = body->limited && !body->is_range_made;
@@ -212,7 +213,7 @@ static void add_vector(dmi_edit* e, cJSON* object, const char* name, dm_vec3 v, 
     }
 }
 
-/* The joint in the scene's frame, as dm_gltf_get_asset reads it. */
+/* Adds the joint in the scene's frame, as dm_gltf_get_asset reads it. */
 static void add_extras(writer* w, const dmi_rig_body* body, cJSON* node) {
     static const double none[3] = {0, 0, 0};
     dmi_edit* e = &w->edit;
@@ -242,7 +243,7 @@ static void use_extension(dmi_edit* e, const char* name) {
     dmi_edit_append(e, list, dmi_edit_new(e, cJSON_CreateString(name)));
 }
 
-/* The node that stays and holds the seats and boxes of the body, in the scene's frame. */
+/* Adds the node that stays and holds the seats and boxes of the body, in the scene's frame. */
 static dmi_edit_item add_root(writer* w) {
     dmi_edit* e = &w->edit;
     const double number = dmi_json_number(w->scene->document.root, "scene", 0);
@@ -254,7 +255,7 @@ static dmi_edit_item add_root(writer* w) {
     return node;
 }
 
-/* What a filter says once: boxes of the asset meet others, and not each other. */
+/* Adds the filter that all boxes share: boxes of the asset meet others, and not each other. */
 static void add_filter(writer* w, cJSON* physics) {
     dmi_edit* e = &w->edit;
     cJSON* filter = dmi_edit_new(e, cJSON_CreateObject());
@@ -268,7 +269,7 @@ static void edit_scene(writer* w) {
     dmi_edit* e = &w->edit;
     const dmi_rig_model* model = w->model;
     cJSON* extensions = dmi_edit_object(e, e->document.root, "extensions");
-    /* What the file itself says of these is about bodies that are other ones now. */
+    /* What the file itself says in this extension is about bodies that are others now. */
     cJSON* physics = dmi_edit_set(e, extensions, PHYSICS, cJSON_CreateObject());
     w->joints = dmi_edit_list(e, physics, "physicsJoints");
     w->shapes = dmi_edit_list(e, dmi_edit_set(e, extensions, SHAPES, cJSON_CreateObject()), "shapes");
@@ -288,7 +289,7 @@ static void edit_scene(writer* w) {
     use_extension(e, SELECTABLE);
 }
 
-/* Takes out what the file has of these extensions on its own nodes. */
+/* Removes what the file has of these extensions on its own nodes. */
 static void forget_physics(writer* w) {
     for (uint32_t i = 0; w->edit.problem.code == DM_OK && i < w->scene->document.counts[DMI_GLTF_NODES]; i++) {
         cJSON* extensions = cJSON_GetObjectItemCaseSensitive(w->edit.document.items[DMI_GLTF_NODES][i], "extensions");

@@ -8,12 +8,12 @@
 #include "math/elementary.h"
 #include "mesh/export/mesh_pieces.h"
 
-enum { MOST_BOXES = 64 }; /* of a body: smaller pieces have none; by hand */
+enum { MOST_BOXES = 64 }; /* most boxes of a body; smaller pieces have none; by hand */
 static const double gravity = 9.81;
-/* What a body without triangles, or with almost none, weighs and how large it is at least. By hand. */
+/* Least mass and size of a body, which one without triangles or with almost none has; by hand. */
 static const double least_mass = 1e-3, least_radius = 1e-3;
-/* Share of the largest second moment that every one has at least: engines refuse needles and sheets whose inertia is
- * rounded below that of a body. By hand. */
+/* Share of the largest second moment that every one has at least; by hand: engines refuse needles and sheets whose
+ * inertia is rounded below that of a body. */
 static const double least_spread = 1e-6;
 
 /* Sums of a piece or a body: mass, first and second moments about an origin. */
@@ -22,7 +22,7 @@ typedef struct moments {
 } moments;
 
 typedef struct piece {
-    moments solid, sheet; /* density and thickness 1; of the sheet without its thickness's own spread */
+    moments solid, sheet; /* sums for density and thickness 1; those of the sheet lack the spread of its thickness */
     double low[3], high[3];
 } piece;
 
@@ -51,7 +51,7 @@ static void add_simplex(moments* out, double mass, const double p[3][3], int cor
     }
 }
 
-/* Adds a triangle to its piece. place: of the mesh in the body's frame. */
+/* Adds a triangle to its piece. place: the mesh's in the body's frame. */
 static void add_face(const dmi_rig_mesh* mesh, const double place[3], uint32_t face, double thickness, piece* out) {
     enum { TRIANGLE = 3, TETRAHEDRON = 4, SIX = 6 };
     static const double uniform_spread = 1.0 / 12; /* variance of a sheet of thickness 1 across itself */
@@ -85,7 +85,8 @@ static void add_moments(moments* out, const moments* from, double factor) {
     }
 }
 
-/* Whether the middle of what a closed piece encloses is in its box: of one that crosses itself it may be anywhere. */
+/* Returns whether the middle of what a closed piece encloses is in its box. For a piece that crosses itself it may be
+ * anywhere. */
 static bool encloses(const piece* p) {
     bool inside = p->solid.mass != 0;
     for (int k = 0; k < 3 && inside; k++) {
@@ -149,14 +150,15 @@ static dm_result add_shape(dmi_rig_model* model, const dmi_rig_shape* shape, mom
     return DM_OK;
 }
 
-/* Whether a symmetric matrix has positive eigenvalues alone: Sylvester's criterion. */
+/* Returns whether a symmetric matrix has positive eigenvalues alone, by Sylvester's criterion. */
 static bool is_positive(const double m[3][3]) {
     double normal[3];
     cross(m[1], m[2], normal);
     return m[0][0] > 0 && m[0][0] * m[1][1] > m[0][1] * m[1][0] && dot(m[0], normal) > 0;
 }
 
-/* Writes mass, centre and inertia. Moments that no body has, as of pieces that cross themselves, keep their trace. */
+/* Writes mass, centre and inertia. Moments that no body can have, such as those of pieces that cross themselves, keep
+ * their trace. */
 static void weigh(const moments* sums, dmi_rig_body* body) {
     double spread[3][3], trace = 0;
     const bool has_mass = sums->mass > 0;

@@ -1,4 +1,5 @@
-/* MJCF: nested bodies. A screw is a hinge and a slide that an equality couples; what is free is a body of the world. */
+/* Prints MJCF, in nested bodies. A screw is a hinge and a slide that an equality couples. A free part is a body of the
+ * world. */
 #include "mesh/export/rig_formats.h"
 
 static void put_heading(const dmi_rig_model* model, dmi_text* out) {
@@ -65,7 +66,7 @@ static void put_content(const dmi_rig_model* model, const dmi_rig_body* body, dm
     }
 }
 
-/* Prints a body with all that it carries, but for what is free. */
+/* Prints a body with all that it carries, except what is free. */
 static void put_body(const dmi_rig_model* model, uint32_t index, dmi_text* out) {
     const dmi_rig_body* body = &model->bodies[index];
     const double* place = body->kind == DMI_RIG_FREE ? body->origin : body->place;

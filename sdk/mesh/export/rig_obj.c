@@ -1,4 +1,4 @@
-/* Meshes as files beside those of the formats, written once. */
+/* Prints meshes as files beside those of the formats, written once. */
 #include "mesh/export/flat_mesh.h"
 #include "mesh/export/rig_formats.h"
 

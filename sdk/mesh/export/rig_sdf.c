@@ -1,5 +1,5 @@
-/* SDF 1.7, which Gazebo 11 and all later ones read. Poses are told against the link that carries; what is free has no
- * joint. */
+/* Prints SDF 1.7, which Gazebo 11 and all later ones read. Poses are relative to the link that carries. A free part has
+ * no joint. */
 #include "mesh/export/rig_formats.h"
 
 static void put_inertial(const dmi_rig_body* body, dmi_text* out) {
@@ -57,7 +57,7 @@ static const char* type_of(const dmi_rig_body* body) {
     return body->limited ? "revolute" : "continuous";
 }
 
-/* A thread's pitch is in radians a metre here, positive where it is left-handed. */
+/* Prints a joint. A thread's pitch is in radians a metre here, positive where it is left-handed. */
 static void put_joint(const dmi_rig_model* model, const dmi_rig_body* body, dmi_text* out) {
     dmi_text_put(out, "    <joint name=\"%s\" type=\"%s\">\n      <parent>%s</parent>\n      <child>%s</child>\n",
                  body->joint_name, type_of(body), model->bodies[body->parent].name, body->name);

@@ -1,5 +1,5 @@
-/* The meshes of an asset's nodes as shapes of its bodies. Nodes whose triangles are alike but for where they are share
- * one mesh. */
+/* Makes shapes of a body from the meshes of an asset's nodes. Nodes whose triangles are alike but for where they are
+ * share one mesh. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,10 +9,10 @@
 #include "mesh/export/rig_text.h"
 #include "mesh/mesh_read.h"
 
-/* Share of the asset's size by which points of alike meshes may differ: float rounding of positions; by hand. */
+/* Share of the asset's size by which points of alike meshes may differ; by hand: float rounding of positions. */
 static const double alike = 1e-6;
-/* Share of the asset's size by which a corner of a flat mesh may be lifted: a tenth of what poses may be off. By hand.
- */
+/* Share of the asset's size by which a corner of a flat mesh may be lifted; by hand: a tenth of what poses may be
+ * off. */
 static const double lift_most = 1e-5;
 enum { COLUMN = 4, TRANSFORM = 16, CHANNELS = 4 };
 
@@ -30,7 +30,7 @@ static void place_point(const dmi_rig_model* model, const float m[TRANSFORM], co
     out[2] = y_up[1];
 }
 
-/* Whether the way from the node to the model mirrors. */
+/* Returns whether the way from the node to the model mirrors. */
 static bool mirrors(const dmi_rig_model* model, const float m[TRANSFORM]) {
     double columns[3][3];
     for (int c = 0; c < 3; c++)
@@ -64,7 +64,7 @@ static void read_points(const dmi_rig_model* model, const dmi_mesh_reader* reade
     }
 }
 
-/* Reads the triangles of a node, if it has some that count. out->face_count 0: it has none. */
+/* Reads the triangles of a node, if it has some that count. out->face_count is 0 when it has none. */
 static dm_result read_mesh(dmi_rig_model* model, uint32_t node, dmi_rig_mesh* out, double out_place[3]) {
     const dm_asset_node* from = &model->desc->nodes[node];
     const float* transform = from->transform != NULL ? from->transform : identity;
@@ -113,7 +113,7 @@ static uint32_t keep_mesh(dmi_rig_model* model, uint32_t node, const dmi_rig_mes
     return index;
 }
 
-/* Writes the colour that the host, or its file, has for a node; else leaves white. */
+/* Writes the colour that the host, or its file, has for a node. White stays where there is none. */
 static void read_colour(const dm_gltf_rig_desc* desc, uint32_t node, float inout_colour[CHANNELS]) {
     dm_gltf_node from;
     if (desc->colours != NULL)
@@ -123,7 +123,7 @@ static void read_colour(const dm_gltf_rig_desc* desc, uint32_t node, float inout
         memcpy(inout_colour, from.colour, CHANNELS * sizeof *inout_colour);
 }
 
-/* Adds what nodes a body has. */
+/* Adds the shapes of the nodes that a body has. */
 static dm_result add_shapes(dmi_rig_model* model, uint32_t body, const uint32_t* part_bodies, double tolerance) {
     const dm_gltf_rig_desc* desc = model->desc;
     model->bodies[body].first_shape = model->shape_count;

@@ -9,7 +9,7 @@
 #include "mesh/export/rig_model.h"
 
 enum { FIRST_CAPACITY = 1 << 12, ALIGNMENT = 16 };
-enum { DIGITS = 12, FLOAT_DIGITS = 9 }; /* as the header says */
+enum { DIGITS = 12, FLOAT_DIGITS = 9 }; /* digits that the header states */
 
 void dmi_text_free(dmi_text* text) {
     dmi_free(text->env, text->data, text->capacity);
@@ -56,7 +56,8 @@ void dmi_text_put(dmi_text* text, const char* format, ...) {
 
 /* ---- numbers ---- */
 
-/* A locale's sign between integer and fraction, of one byte or more, becomes a point, and minus zero is zero. */
+/* Returns a number as text. A locale's sign between integer and fraction, of one byte or more, becomes a point, and
+ * minus zero is zero. */
 static dmi_digits_text print_number(int digits, double x) {
     dmi_digits_text out;
     snprintf(out.text, sizeof out.text, "%.*g", digits, x == 0 ? 0.0 : x);
@@ -85,7 +86,7 @@ dmi_digits3_text dmi_digits3(const double v[3], const char* between) {
 
 /* ---- words ---- */
 
-/* Whether U+FFFE or U+FFFF begins here. */
+/* Returns whether U+FFFE or U+FFFF begins here. */
 static bool is_no_character(const char* words) {
     return strncmp(words, "\xef\xbf\xbe", 3) == 0 || strncmp(words, "\xef\xbf\xbf", 3) == 0;
 }

@@ -1,12 +1,12 @@
-/* Godot 4's scenes as text. Meshes are the OBJ files beside it. All bodies stand side by side below a node that turns Z
- * up into Godot's Y up, since physics moves them in the world. Godot has no screws. */
+/* Prints Godot 4's scenes as text. Meshes are the OBJ files beside it. All bodies stand side by side below a node that
+ * turns Z up into Godot's Y up, since physics moves them in the world. Godot has no screws. */
 #include "mesh/export/rig_formats.h"
 
 static void put_transform(const double place[3], dmi_text* out) {
     dmi_text_put(out, "transform = Transform3D(1, 0, 0, 0, 1, 0, 0, 0, 1, %s)\n", dmi_digits3(place, ", ").text);
 }
 
-/* The meshes, a material a shape and a box a box. */
+/* Prints the meshes, a material a shape and a box a box. */
 static void put_resources(const dmi_rig_model* model, dmi_text* out) {
     for (uint32_t m = 0; m < model->mesh_count; m++)
         dmi_text_put(out, "[ext_resource type=\"ArrayMesh\" path=\"" DMI_RIG_MESHES "%s.obj\" id=\"mesh_%u\"]\n",
@@ -27,7 +27,7 @@ static void put_resources(const dmi_rig_model* model, dmi_text* out) {
     }
 }
 
-/* Moments of inertia about the body's own axes: Godot takes no others. */
+/* Prints a body. Its moments of inertia are about its own axes, because Godot takes no others. */
 static void put_body(const dmi_rig_model* model, const dmi_rig_body* body, dmi_text* out) {
     const bool stays = body->kind == DMI_RIG_ROOT;
     const double moments[3] = {body->inertia[0][0], body->inertia[1][1], body->inertia[2][2]};
@@ -58,8 +58,8 @@ static void put_body(const dmi_rig_model* model, const dmi_rig_body* body, dmi_t
     }
 }
 
-/* Godot's hinges turn about z of their node, its sliders slide along x. It counts a hinge's angle as that of node_a
- * seen from node_b, and a slider's way as that of node_b seen from node_a. */
+/* Prints a joint. Godot's hinges turn about z of their node, its sliders slide along x. It counts a hinge's angle as
+ * that of node_a seen from node_b, and a slider's way as that of node_b seen from node_a. */
 static void put_joint(const dmi_rig_model* model, const dmi_rig_body* body, dmi_text* out) {
     const bool slides = body->kind == DMI_RIG_SLIDE;
     const char* carrier = model->bodies[body->parent].name;

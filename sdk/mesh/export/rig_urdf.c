@@ -1,4 +1,4 @@
-/* URDF: links, and joints whose frames are those of the child links. It has no screws. */
+/* Prints URDF: links, and joints whose frames are those of the child links. It has no screws. */
 #include "mesh/export/rig_formats.h"
 
 static void put_inertial(const dmi_rig_body* body, dmi_text* out) {
@@ -67,7 +67,7 @@ static void put_joint(const dmi_rig_model* model, const dmi_rig_body* body, dmi_
     dmi_text_put(out, "  </joint>\n");
 }
 
-/* The words to MuJoCo stand where it looks for them; others pass them over. */
+/* The words to MuJoCo stand where it looks for them. Others skip them. */
 void dmi_rig_print_urdf(const dmi_rig_model* model, dmi_text* out) {
     dmi_text_put(out,
                  "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<robot name=\"%s\">\n"

@@ -1,5 +1,5 @@
-/* USD as text, with UsdPhysics. Meshes are prims of their own, which bodies refer to. It has no screws, and joints have
- * neither friction nor damping of their own but by a drive. */
+/* Prints USD as text, with UsdPhysics. Meshes are prims of their own, which bodies refer to. It has no screws, and
+ * joints have neither friction nor damping of their own except by a drive. */
 #include <math.h>
 
 #include "math/elementary.h"
@@ -54,7 +54,7 @@ static void put_shape(const dmi_rig_model* model, uint32_t index, dmi_text* out)
     dmi_text_put(out, "        }\n");
 }
 
-/* A cube of side 2, scaled. */
+/* Prints a cube of side 2, scaled. */
 static void put_box(const dmi_rig_model* model, uint32_t index, dmi_text* out) {
     const dmi_rig_box* box = &model->boxes[index];
     dmi_text_put(
@@ -66,7 +66,7 @@ static void put_box(const dmi_rig_model* model, uint32_t index, dmi_text* out) {
         index + 1, dmi_digits3(box->centre, ", ").text, dmi_digits3(box->half, ", ").text);
 }
 
-/* The inertia as three moments about axes that a quaternion, w first, turns to. */
+/* Prints the inertia as three moments about axes that a quaternion, w first, turns to. */
 static void put_mass(const dmi_rig_body* body, dmi_text* out) {
     double moments[3], turn[4];
     dmi_rig_principal(body, moments, turn);
@@ -93,8 +93,8 @@ static void put_body(const dmi_rig_model* model, const dmi_rig_body* body, dmi_t
     dmi_text_put(out, "    }\n");
 }
 
-/* The joint's x axis is that of the line: the turn that takes x there, on both sides, since the axes of all bodies are
- * the same at rest. */
+/* Prints a joint. Its x axis is that of the line: the turn that takes x there, on both sides, since the axes of all
+ * bodies are the same at rest. */
 static void put_joint(const dmi_rig_model* model, const dmi_rig_body* body, dmi_text* out) {
     static const double here[3] = {0, 0, 0};
     double turn[4];
