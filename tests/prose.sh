@@ -7,8 +7,9 @@
 # its unit. One that begins "Of", "For" or "In" leaves the reader to guess what it is of.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-done="plugin_api/src sdk/assets sdk/base sdk/kinematics/candidates sdk/kinematics/hints sdk/kinematics/inference
-    sdk/kinematics/kpp sdk/kinematics/limits sdk/kinematics/object sdk/kinematics/ranking sdk/math sdk/mesh/export sdk/mesh/gltf sdk/motion sdk/nn sdk/segmentation"
+done="plugin_api sdk/assets sdk/base sdk/kinematics/candidates sdk/kinematics/hints sdk/kinematics/inference
+    sdk/kinematics/kpp sdk/kinematics/limits sdk/kinematics/object sdk/kinematics/ranking sdk/math sdk/mesh/export
+    sdk/mesh/gltf sdk/motion sdk/nn sdk/segmentation"
 exec python3 - "${@:-$done}" <<'PYTHON'
 import collections
 import pathlib

@@ -6,11 +6,11 @@ export const VERSION_NUMBER: number;
 export const MOTION_FRAMES: 16;
 /** Most hypotheses kept for one part. */
 export const MAX_HYPOTHESES: 8;
-/** Most parts of one object, the body not counted. */
+/** Most parts of one object, without the body. */
 export const MAX_PARTS: 4096;
-/** Most nodes of one asset. At most DM_MAX_PARTS of them have meshes that are no DM_ASSET_NODE_FOLLOWS. */
+/** Most nodes of one asset. At most DM_MAX_PARTS of them may have a mesh and not the flag DM_ASSET_NODE_FOLLOWS. */
 export const MAX_ASSET_NODES: 65536;
-/** Most bytes of a label, the zero not counted. */
+/** Most bytes of a label, without the terminating zero. */
 export const MAX_LABEL: 4096;
 /** Most vertices or triangles of one object. */
 export const MAX_ELEMENTS: 268435456;
@@ -18,7 +18,7 @@ export const MAX_ELEMENTS: 268435456;
 export const MAX_LINKS: 256;
 /** Most snap values of one drag. */
 export const MAX_SNAPS: 16;
-/** No library of the interface dm.core/1 needs more bytes for a dm_drag_save; it says how many by dm_drag_snapshot_size. */
+/** Most bytes of a dm_drag_save in any library of the interface dm.core/1. dm_drag_snapshot_size returns how many this one writes. */
 export const DRAG_SNAPSHOT_MAX: 65536;
 /** no node: the scene itself */
 export const ASSET_NO_NODE: 4294967295;
@@ -29,11 +29,11 @@ export const Result: {
     readonly OK: 0;
     /** a null pointer, an unknown enum value, a count that makes no sense */
     readonly ERROR_INVALID_ARGUMENT: -1;
-    /** struct_size too small, or a newer field is set that this library can't know */
+    /** struct_size is too small, or a field is set that this library does not know */
     readonly ERROR_STRUCT_SIZE: -2;
     /** null, destroyed, or of another kind or context */
     readonly ERROR_STALE_HANDLE: -3;
-    /** the host's allocator answered NULL */
+    /** the host's allocator returned NULL */
     readonly ERROR_OUT_OF_MEMORY: -4;
     /** a NaN or infinite number in the input */
     readonly ERROR_NOT_FINITE: -5;
@@ -41,7 +41,7 @@ export const Result: {
     readonly ERROR_INDEX_OUT_OF_RANGE: -6;
     /** no triangle belongs to the part */
     readonly ERROR_EMPTY_MASK: -7;
-    /** the mask, or the part found, is the whole mesh: it tells nothing apart */
+    /** the mask, or the part found, is the whole mesh, so nothing stays */
     readonly ERROR_FULL_MASK: -8;
     /** no triangle with an area, or all vertices in one point */
     readonly ERROR_DEGENERATE_MESH: -9;
@@ -61,11 +61,11 @@ export const Result: {
     readonly ERROR_NO_MODEL: -16;
     /** more than DM_MAX_ELEMENTS or DM_MAX_PARTS */
     readonly ERROR_TOO_LARGE: -17;
-    /** the output buffer can't hold the answer; the size needed is set */
+    /** the output buffer cannot hold the answer; the size needed is set */
     readonly ERROR_BUFFER_TOO_SMALL: -18;
     /** no such part, node or instance */
     readonly ERROR_NOT_FOUND: -19;
-    /** valid, but this build or this file kind can't do it */
+    /** valid, but this build or this kind of file cannot do it */
     readonly ERROR_UNSUPPORTED: -20;
     /** a bug of ours; please report it */
     readonly ERROR_INTERNAL: -21;
@@ -77,7 +77,7 @@ export const LogLevel: {
     readonly INFO: 2;
 };
 
-/** The host's axes. Canonical inside is glTF's: right-handed, +Y up, metres. */
+/** The host's axes. The library's own frame is glTF's: right-handed, +Y up, metres. */
 export const Axes: {
     /** right-handed, +Y up (glTF, Godot, OpenGL) */
     readonly GLTF: 0;
@@ -87,19 +87,19 @@ export const Axes: {
     readonly UNREAL: 2;
     /** right-handed, +Z up (Blender, ROS, most CAD) */
     readonly BLENDER: 3;
-    /** dm_context_desc.custom_axes */
+    /** those of dm_context_desc.custom_axes */
     readonly CUSTOM: 4;
 };
 
-/** What picks rays. The hits are the same, except within float rounding of an edge or of another surface. */
+/** What picks rays. All choices give the same hits, except within float rounding of an edge or of another surface. */
 export const Picking: {
-    /** Embree 3.13 or 4 where its shared library is found, else the library's own */
+    /** Embree 3.13 or 4 where its shared library is found, else the library's own code */
     readonly AUTO: 0;
-    /** Embree alone */
+    /** Embree; the context is refused where it is missing */
     readonly EMBREE: 1;
-    /** the library's own: everywhere, in the host's memory */
+    /** the library's own code, which runs everywhere, in the host's memory */
     readonly PORTABLE: 2;
-    /** nothing, for hosts that cast their own rays: objects keep no trees, there are no scenes */
+    /** nothing, for hosts that cast their own rays: objects keep no trees, and there are no scenes */
     readonly NONE: 3;
 };
 
@@ -116,23 +116,23 @@ export const JointType: {
     readonly FIXED: 5;
 };
 
-/** positions: three each */
+/** formats of positions, three numbers each */
 export const FloatFormat: {
-    /** positions: three each */
+    /** formats of positions, three numbers each */
     readonly FLOAT32: 0;
-    /** positions: three each */
+    /** formats of positions, three numbers each */
     readonly FLOAT64: 1;
 };
 
-/** indices and part ids */
+/** formats of indices and part ids */
 export const IntegerFormat: {
-    /** indices and part ids */
+    /** formats of indices and part ids */
     readonly UINT32: 0;
-    /** indices and part ids */
+    /** formats of indices and part ids */
     readonly UINT16: 1;
-    /** indices and part ids */
+    /** formats of indices and part ids */
     readonly UINT8: 2;
-    /** indices and part ids */
+    /** formats of indices and part ids */
     readonly INT32: 3;
 };
 
@@ -141,22 +141,22 @@ export const PartIdScope: {
     readonly FACE: 1;
 };
 
-/** What is known of where a pivot lies (dm_gltf_get_pivot_kind tells it of a glTF file). */
+/** How a pivot came to lie where it is. dm_gltf_get_pivot_kind returns it for a glTF file. */
 export const PivotKind: {
-    /** nothing: it is judged by those of the other parts */
+    /** not known: the library compares it with those of the other parts */
     readonly UNKNOWN: 0;
-    /** where a program puts them all: it says nothing */
+    /** a program puts all of them there, so it says nothing */
     readonly DEFAULT: 1;
-    /** the other nodes' follow a rule and it does not: somebody has set it, and it says the more */
+    /** The other nodes' pivots follow a rule and this one does not, so somebody has set it. It counts for more. */
     readonly SET: 2;
 };
 
 export const JointSource: {
     readonly FROM_NETWORK: 0;
     readonly FROM_GEOMETRY: 1;
-    /** certain, limits too: no pull changes it */
+    /** the host's own: certain, limits too, and no pull changes it */
     readonly FROM_HOST: 2;
-    /** a hypothesis of the library that dm_object_desc.choose has chosen: no pull puts another joint in its place, or its range on the other side of rest, but its limits are estimates and give */
+    /** The host has chosen it with dm_object_desc.choose. No pull replaces it, or moves its range to the other side of rest. Its limits are estimates, and give. */
     readonly CHOSEN: 3;
 };
 
@@ -170,51 +170,51 @@ export const Choice: {
 };
 
 export const PrepareFlag: {
-    /** keep no triangles: the object can't be added to a scene, and is small */
+    /** The object keeps no triangles. It is small, and cannot be added to a scene. */
     readonly WITHOUT_PICKING: 1;
-    /** the plain KPP-Net: no geometric candidates, no ranker. To compare with; NO_MODEL when `model` has no kinematics weights */
+    /** KPP-Net alone infers the joints, without geometric candidates and ranker, for comparisons. The call answers NO_MODEL when `model` has no kinematics weights. */
     readonly NETWORK_ALONE: 2;
-    /** who read the mesh left something of its file out (dm_gltf_left_out): kept as DM_DEGRADED_MESH */
+    /** The reader of the mesh has left out something of its file (dm_gltf_left_out). The object keeps it as DM_DEGRADED_MESH. */
     readonly MESH_INCOMPLETE: 4;
 };
 
-/** Why answers about an object are less than they could be: bits of dm_object_info.degraded. The call that makes the object says the same in one warning. A saved object keeps them, but for DM_DEGRADED_NO_MOTION, which is that of the model it was loaded with. */
+/** Why the answers about an object are worse than they could be, as bits of dm_object_info.degraded. The call that makes the object says the same in one warning. A saved object keeps the bits, except DM_DEGRADED_NO_MOTION, which depends on the model that it is loaded with. */
 export const Degraded: {
-    /** no weights of KPP-Net: joints are found by geometry alone */
+    /** no weights of KPP-Net: geometry alone finds the joints */
     readonly NO_KINEMATICS: 1;
-    /** no weights of the ranker: joints are chosen, and limits set, by rules */
+    /** no weights of the ranker: rules choose the joints, and set limits */
     readonly NO_RANKER: 2;
-    /** no weights of the DQ-VAE: releases are paced by a rule, motions answer NO_MODEL */
+    /** no weights of the DQ-VAE: a rule paces releases, and motions answer NO_MODEL */
     readonly NO_MOTION: 4;
-    /** everything is of a part: nothing stays that joints could be told by */
+    /** the mesh has no body, whose contacts would show the joints */
     readonly NO_BODY: 8;
-    /** a pivot was ignored: it is 1,000 object sizes away or more */
+    /** a pivot was ignored, because it is 1,000 object sizes away or more */
     readonly HINT: 16;
     /** DM_PREPARE_MESH_INCOMPLETE */
     readonly MESH: 32;
 };
 
 export const AssetNodeFlag: {
-    /** neither part nor body: a level of detail, a collider, something hidden. It goes where `follows` goes, and its mesh is not looked at */
+    /** The node is neither part nor body: a level of detail, a collider, something hidden. It goes where `follows` goes, and its mesh is not read. */
     readonly FOLLOWS: 1;
-    /** where its origin lies says nothing */
+    /** the place of its origin says nothing */
     readonly NO_PIVOT: 2;
 };
 
-/** the animation scales or bends the node as well */
+/** the animation also scales or bends the node */
 export const ClipFlag: {
-    /** the animation scales or bends the node as well */
+    /** the animation also scales or bends the node */
     readonly NOT_RIGID: 1;
 };
 
 export const AssetFlag: {
-    /** clips say nothing */
+    /** clips are ignored */
     readonly WITHOUT_CLIPS: 256;
-    /** names and labels say nothing */
+    /** names and labels are ignored */
     readonly WITHOUT_NAMES: 512;
 };
 
-/** What was left aside: bits of dm_asset_info.warnings. */
+/** What was ignored, as bits of dm_asset_info.warnings. */
 export const AssetWarning: {
     /** a clip moves a node as no joint does, or is not rigid */
     readonly CLIP_LEFT_OUT: 1;
@@ -222,127 +222,127 @@ export const AssetWarning: {
 
 /** Whether a part moves. */
 export const AssetState: {
-    /** it might move, but probably does not: `moves` is below dm_asset_desc.min_moves. Bodies that almost certainly stay are no parts */
+    /** It may move, but probably does not: `moves` is below dm_asset_desc.min_moves. A body that almost certainly stays is no part. */
     readonly STAYS: 0;
-    /** by its joint */
+    /** it moves by its joint */
     readonly MOVES: 1;
-    /** nothing but its weight holds it, as the lid of a teapot: a player can take it away. Its joint is the slide by which it comes off, with a low confidence */
+    /** Only its weight holds it, as the lid of a teapot, so a player can take it away. Its joint is the slide by which it comes off, with a low confidence. */
     readonly FREE: 2;
 };
 
 /** Where a part's joint comes from. */
 export const AssetBasis: {
-    /** from shape, contacts and names */
+    /** inferred from shape, contacts and names */
     readonly INFERRED: 0;
-    /** dm_asset_node.joint */
+    /** stated in dm_asset_node.joint */
     readonly FROM_FILE: 1;
-    /** dm_asset_node.clips */
+    /** read from dm_asset_node.clips */
     readonly FROM_CLIP: 2;
 };
 
 export const DragFlag: {
-    /** follow the joint in force, limits and all, whatever the pull says, as with a host's joint */
+    /** The drag follows the joint in force with its limits, whatever the pull says, as it follows a host's joint. */
     readonly KEEP_JOINT: 1;
-    /** no point is grabbed: for hands of DM_HAND_RATE, STEP and VALUE, and for releases. grab_point is not read; the middle of the part's box stands for it */
+    /** No point is grabbed, for hands of DM_HAND_RATE, STEP and VALUE, and for releases. grab_point is ignored, and the middle of the part's box takes its place. */
     readonly WITHOUT_POINT: 2;
 };
 
 export const RuleFlag: {
-    /** the part stays where it is, gives a little, and says so (DM_EVENT_LOCKED) */
+    /** The part stays where it is, gives a little, and reports a try as DM_EVENT_LOCKED. */
     readonly LOCKED: 1;
-    /** a latch holds it at rest until a handle has turned (dm_drag_input.handles), and catches it again when it comes to rest with the handle let go */
+    /** A latch holds the part at rest until a handle has turned (dm_drag_input.handles), and catches it again when it comes to rest with the handle let go. */
     readonly LATCH: 2;
 };
 
 /** What a link does to its driven part. */
 export const LinkKind: {
-    /** the driven part's value is offset + ratio * (the driver's beyond `from`), inside its limits */
+    /** The driven part's value is offset + ratio * (the driver's value beyond `from`), inside its limits. */
     readonly MOVES: 0;
     /** the driven part is held until the driver has reached `from`: a handle */
     readonly FREES: 1;
-    /** the driven part is held once the driver has reached `from`: of drawers, one at a time */
+    /** the driven part is held once the driver has reached `from`: one drawer at a time */
     readonly HOLDS: 2;
 };
 
-/** of DM_LINK_MOVES: moving the driven part moves the driver */
+/** the driven part of a DM_LINK_MOVES also moves the driver */
 export const LinkFlag: {
-    /** of DM_LINK_MOVES: moving the driven part moves the driver */
+    /** the driven part of a DM_LINK_MOVES also moves the driver */
     readonly BOTH_WAYS: 1;
 };
 
 /** How a hand holds the part. */
 export const HandKind: {
-    /** no news of it: the part goes on to where it was asked to be */
+    /** there is no news of it, and the part goes on to where it was asked to be */
     readonly NONE: 0;
-    /** a pointer: `ray` */
+    /** a pointer, with `ray` */
     readonly RAY: 1;
-    /** a hand in space: `point`. The vector from it to the grabbed point stays as in its first update */
+    /** A hand in space, with `point`. The vector from it to the grabbed point stays as it was in its first update. */
     readonly POINT: 2;
-    /** a stick or a key held down: `amount`, -1 to 1, times dm_drag_rules.drive_speed */
+    /** a stick or a key held down, with `amount` from -1 to 1 times dm_drag_rules.drive_speed */
     readonly RATE: 3;
-    /** a wheel: moves by `amount`, a share of the range */
+    /** a wheel, which moves the part by `amount`, a share of the range */
     readonly STEP: 4;
-    /** a slider of the host's: goes to the joint value `amount` */
+    /** a slider of the host, which moves the part to the joint value `amount` */
     readonly VALUE: 5;
 };
 
 export const InputFlag: {
-    /** locked in this update, as by DM_RULE_LOCKED */
+    /** the part is locked in this update, as by DM_RULE_LOCKED */
     readonly LOCKED: 1;
-    /** dm_drag_override may change the value that this update takes */
+    /** dm_drag_override may change the value after this update */
     readonly ASK: 2;
-    /** lower and upper hold, also when they are equal */
+    /** lower and upper hold even when they are equal */
     readonly BOUNDS: 4;
 };
 
 export const DragPhase: {
-    /** follows the pointer */
+    /** it follows the pointer */
     readonly HELD: 0;
-    /** moves on by itself: dm_drag_release */
+    /** it moves by itself after dm_drag_release */
     readonly RELEASED: 1;
-    /** has come to where it goes */
+    /** it has come to where it goes */
     readonly AT_REST: 2;
 };
 
-/** What has happened to the part since the update before: bits of dm_drag_state.events. */
+/** What has happened to the part since the update before, as bits of dm_drag_state.events. */
 export const DragEvent: {
-    /** it has met its lower limit (within 0.5 % of the range), dm_drag_state.impact fast; again after it was 2 % away. An estimated limit that has given is none */
+    /** It has met its lower limit (within 0.5 % of the range), with the speed dm_drag_state.impact. The event comes again after the part was 2 % away. An estimated limit that has given does not count. */
     readonly LIMIT_LOWER: 1;
-    /** the same of the upper one */
+    /** the same for the upper limit */
     readonly LIMIT_UPPER: 2;
     /** it is more than 2 % of the range away from rest */
     readonly LEFT_REST: 4;
     /** it is within 0.5 % of the range of rest, having left it */
     readonly REACHED_REST: 8;
-    /** dm_drag_rules.open_share */
+    /** it has opened beyond dm_drag_rules.open_share */
     readonly OPENED: 16;
-    /** dm_drag_rules.closed_share */
+    /** it has closed to within dm_drag_rules.closed_share */
     readonly CLOSED: 32;
-    /** it has gone over to another detent or snap value: dm_drag_state.detents */
+    /** it has passed to another detent or snap value, see dm_drag_state.detents */
     readonly DETENT: 64;
-    /** the pull has changed the joint: dm_drag_state.changes */
+    /** the pull has changed the joint, see dm_drag_state.changes */
     readonly JOINT: 128;
-    /** dm_drag_input's bounds hold it */
+    /** the bounds of dm_drag_input hold it */
     readonly BLOCKED: 256;
-    /** they no longer do */
+    /** these bounds no longer hold it */
     readonly FREED: 512;
     /** the latch has caught it */
     readonly LATCHED: 1024;
     /** the handle has opened the latch */
     readonly UNLATCHED: 2048;
-    /** it was tried while locked or latched; again after the hand has let up */
+    /** it was tried while locked or latched; the event comes again after the hand has let up */
     readonly LOCKED: 4096;
-    /** dm_drag_rules.break_distance has let go of it */
+    /** it was let go of at dm_drag_rules.break_distance */
     readonly LET_GO: 8192;
 };
 
-/** How a part with dm_drag_rules stands after an update, or at its beginning: bits of dm_drag_state.status. */
+/** How a part with dm_drag_rules stands after an update, or at its beginning, as bits of dm_drag_state.status. */
 export const DragStatus: {
     /** the latch holds it */
     readonly LATCHED: 1;
     /** DM_RULE_LOCKED or DM_INPUT_LOCKED holds it */
     readonly LOCKED: 2;
-    /** dm_drag_input's bounds hold it, from DM_EVENT_BLOCKED to DM_EVENT_FREED */
+    /** the bounds of dm_drag_input hold it, from DM_EVENT_BLOCKED to DM_EVENT_FREED */
     readonly BLOCKED: 4;
     /** it counts as open, from DM_EVENT_OPENED to DM_EVENT_CLOSED */
     readonly OPEN: 8;
@@ -354,7 +354,7 @@ export const JointBasis: {
     readonly PREPARED: 0;
     /** a pull of this drag, or of an earlier one of the same dm_part_state, has changed it */
     readonly PULL: 1;
-    /** the host's own */
+    /** it is the host's own */
     readonly HOST: 2;
     /** the host has chosen it among the hypotheses */
     readonly CHOSEN: 3;
@@ -362,23 +362,23 @@ export const JointBasis: {
 
 /** What a released part does next. */
 export const Go: {
-    /** as the player meant it, by where the part is and how fast it goes */
+    /** the library decides what the player meant, by where the part is and how fast it goes */
     readonly AUTO: 0;
-    /** glides to a stop; also stops a part that moves by itself */
+    /** it glides to a stop; this also stops a part that moves by itself */
     readonly STAY: 1;
-    /** goes on to the end of the joint that lies the way it was pulled */
+    /** it goes to the end of the joint that lies the way it was pulled */
     readonly OPEN: 2;
-    /** falls back to where it is closed: dm_joint.closed, which is rest unless it rests open */
+    /** it goes to where it is closed (dm_joint.closed), which is rest unless it rests open */
     readonly CLOSE: 3;
-    /** does once more what it did after the last release */
+    /** it repeats what it did after the last release */
     readonly REPLAY: 4;
-    /** stops dead */
+    /** it stops at once */
     readonly FREEZE: 5;
-    /** opens when it is nearer to where it is closed than to its open end, else closes */
+    /** it opens when it is nearer to where it is closed than to its open end, else it closes */
     readonly TOGGLE: 6;
 };
 
-/** The same by their names of version 0.2. */
+/** The same values, by their names of version 0.2. */
 export const Intent: {
     readonly AUTO: 0;
     readonly STAY: 1;
@@ -390,7 +390,7 @@ export const Intent: {
 };
 
 export const ReleaseFlag: {
-    /** paced by a rule, not by the DQ-VAE, whose last bits differ between instruction sets */
+    /** A rule paces the release instead of the DQ-VAE, whose last bits differ between instruction sets. */
     readonly BY_RULE: 1;
     /** a part that opens to both sides of rest opens away from `away_from` */
     readonly AWAY_FROM: 2;

@@ -1,4 +1,4 @@
-/* What programs need beside stat.c. */
+/* Defines what programs need beside stat.c. */
 #include "pin.h"
 
 #include <stddef.h>
@@ -20,8 +20,8 @@ double __wrap_hypot(double x, double y) {
     return pinned_hypot(x, y);
 }
 
-/* Since glibc 2.34 crt1.o leaves the program's constructors to the C library; before, it named a function that ran
- * them. Programs in C have none, so neither side needs to. */
+/* Starts a program. Since glibc 2.34, crt1.o leaves the program's constructors to the C library; before, it named a
+ * function that ran them. Programs in C have none, so neither side needs to. */
 int __wrap___libc_start_main(main_function* run, int count, char** values, void (*begin)(void), void (*end)(void),
                              void (*unload)(void), void* stack_end) {
     (void)begin, (void)end;

@@ -193,7 +193,7 @@ class Pose(Struct):
 
 
 class Ray(Struct):
-    """direction need not be unit; distances along the ray are in host units, not in multiples of it."""
+    """A ray. The direction need not be a unit vector. Distances along the ray are in host units, not in multiples of it."""
 
     origin: Vec3
     direction: Vec3
@@ -204,7 +204,7 @@ class Ray(Struct):
 
 
 class Allocator(Struct):
-    """Hooks: see \"Callbacks\" above. Host memory. allocate returns memory aligned to `alignment` (a power of two, 64 at most) or NULL; release gets the size that was asked for. Both may be called from any thread the host calls the library on."""
+    """The host's memory. allocate returns memory aligned to `alignment` (a power of two, 64 at most) or NULL; release gets the size that was asked for. Both may be called from any thread on which the host calls the library. docs/integration.md says what callbacks may do."""
 
     user: Any
     allocate: Any
@@ -217,7 +217,7 @@ class Allocator(Struct):
 
 
 class Log(Struct):
-    """Messages for people, on the threads that the host calls the library on. level: DM_LOG_*. code: of an error, else DM_OK. `text` is UTF-8, valid during the call."""
+    """Receives messages for people, on the threads on which the host calls the library. level: DM_LOG_*. code: the error, or DM_OK for other messages. text: UTF-8, valid during the call."""
 
     user: Any
     message: Any
@@ -228,7 +228,7 @@ class Log(Struct):
 
 
 class Jobs(Struct):
-    """The host's job system. parallel_for runs task(data, i) once for every i in [0, count) and returns non-zero when all are done, or returns 0 without having run any (the library then runs them inline). A task that was left out, made up or run twice ends the call with INVALID_ARGUMENT; its second run does nothing. The library starts no thread."""
+    """The host's job system. parallel_for runs task(data, i) once for every i in [0, count) and returns non-zero when all are done. It may return 0 without having run any, and the library then runs them itself. When a task was left out, made up or run twice, the call answers INVALID_ARGUMENT; a second run of a task does nothing. The library starts no thread of its own."""
 
     user: Any
     parallel_for: Any
@@ -287,7 +287,7 @@ class MemoryInfo(Sized):
 
 
 class ModelDesc(Sized):
-    """Bytes of safetensors files; each may be absent (NULL, 0). They are copied and repacked: free them after the call."""
+    """Weights, as the bytes of safetensors files. Each may be absent (NULL, 0). The library copies and repacks them, so the host may free them after the call."""
 
     struct_size: int
     kinematics: Any
@@ -308,7 +308,7 @@ class ModelDesc(Sized):
 
 
 class MeshDesc(Sized):
-    """The host's mesh, read in place. Triangles. The sizes of the buffers guard against a forgotten format, scope or stride: one that does not hold what counts, formats and strides say is refused, and nothing is read past its end."""
+    """The host's mesh of triangles, which the library reads in place. The sizes of the buffers guard against a forgotten format, scope or stride: the call refuses a buffer that does not hold what counts, formats and strides say, and never reads past its end."""
 
     struct_size: int
     position_stride: int
@@ -347,7 +347,7 @@ class MeshDesc(Sized):
 
 
 class DragHint(Struct):
-    """A drag as evidence of how a part moves: a point on it and the direction it was pulled, as a hand drew it."""
+    """A drag as evidence of how a part moves: a point on it, and the way in which a hand pulled it."""
 
     point: Vec3
     vector: Vec3
@@ -358,7 +358,7 @@ class DragHint(Struct):
 
 
 class Pivot(Struct):
-    """Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin. Leave it out, or say DM_PIVOT_DEFAULT, where all nodes of an asset, the body's too, have theirs by one rule: at one point, or at the same place of their boxes. A program has put them there, and an edge that happens to lie there would be taken for a hinge."""
+    """Where an asset has the node or bone that moves a part, at rest. An artist may have put it on the hinge, or left it in the middle or at the file's origin, so it is evidence only. Leave it out, or say DM_PIVOT_DEFAULT, where all nodes of an asset have theirs by one rule: at one point, or at the same place of their boxes. A program has put them there, and an edge that happens to lie there would be taken for a hinge."""
 
     origin: Vec3
     axes: Any
@@ -423,7 +423,7 @@ class Joint(Sized):
 
 
 class JointFrame(Sized):
-    """A joint as a physics engine's constraint wants it: an orthonormal frame whose x axis is the hinge's or slider's. y and z are any, the same for the same joint; x, y, z and `rotation` have determinant +1 in the host's coordinates."""
+    """A joint as the constraint of a physics engine: an orthonormal frame whose x axis is that of the hinge or slider. The y and z axes are arbitrary, but always the same for the same joint. x, y, z and `rotation` have determinant +1 in the host's coordinates."""
 
     struct_size: int
     type: int
@@ -452,7 +452,7 @@ class JointFrame(Sized):
 
 
 class PartState(Sized):
-    """Where one instance's part stands, and by which joint: all of what the host keeps of it, saves, replicates and undoes. Belongs to the instance, not to the object: doors of one object may differ. Save it field by field (type, pitch, axis, origin, limits, source, both confidences, evidence, value)."""
+    """Where the part of one instance stands, and by which joint it moves. This is all that a host must keep, save, replicate and undo for it. It belongs to the instance, not to the object, because two doors of one object may differ. Save it field by field: type, pitch, axis, origin, limits, source, both confidences, evidence, value."""
 
     struct_size: int
     value: float
@@ -492,7 +492,7 @@ class PartInfo(Sized):
 
 
 class JointEnd(Struct):
-    """Where a hypothesis takes its part at one end of its range. Host object frame. Frozen."""
+    """Where a hypothesis takes its part at one end of its range, host object frame. Frozen."""
 
     value: float
     pose: Pose
@@ -509,7 +509,7 @@ class JointEnd(Struct):
 
 
 class Hypothesis(Sized):
-    """A ranked hypothesis and what it would do. struct_size: what the library has filled."""
+    """A ranked hypothesis and what it would do. struct_size says how much the library has filled."""
 
     struct_size: int
     reserved: int
@@ -524,7 +524,7 @@ class Hypothesis(Sized):
 
 
 class Choice(Sized):
-    """A part and its hypotheses, for the host to choose from. Valid during the call."""
+    """A part and its hypotheses, for the host to choose from. All of it is valid during the call only."""
 
     struct_size: int
     count: int
@@ -618,7 +618,7 @@ class AssetClip(Struct):
 
 
 class AssetNode(Sized):
-    """A node of an asset as a host has it."""
+    """A node of an asset, as the host has it."""
 
     struct_size: int
     flags: int
@@ -749,7 +749,7 @@ class MotionDesc(Sized):
 
 
 class DragFeel(Struct):
-    """How a drag feels. Zeros are the defaults. Stiffness, damping and inertia of a part in the hand matter through two ratios, which are times: smoothing_time is damping over stiffness, coast_time inertia over damping."""
+    """How a drag feels. Zeros are the defaults. Stiffness, damping and inertia of a part in the hand matter only through two ratios, which are times: smoothing_time is damping over stiffness, coast_time is inertia over damping."""
 
     smoothing_time: float
     soft_limit: float
@@ -768,7 +768,7 @@ class DragFeel(Struct):
 
 
 class DragRules(Sized):
-    """What a part does besides following the hand. Zeros are off, but for the defaults of thresholds. \"Range\" is from lower to upper limit; where one of them is missing, 1 rad or the object's size. docs/feel.md."""
+    """What a part does besides following the hand. Zeros are off, except that thresholds have defaults. \"Range\" is the way from lower to upper limit; where one of them is missing, it is 1 rad or the object's size. docs/feel.md describes each rule."""
 
     struct_size: int
     flags: int
@@ -882,7 +882,7 @@ class Hand(Struct):
 
 
 class DragInput(Sized):
-    """All that can be told a drag in one update."""
+    """Everything that one update can read."""
 
     struct_size: int
     flags: int
@@ -1164,7 +1164,7 @@ class Core1(Sized):
 
 
 class GltfFiles(Struct):
-    """Files beside a .gltf: buffers when it is opened, images when it is exported or a surface is asked for."""
+    """Gives access to files beside a .gltf: to buffers when it is opened, to images when it is exported or a surface is asked for."""
 
     user: Any
     open: Any
@@ -1200,7 +1200,7 @@ class GltfDesc(Sized):
 
 
 class GltfNode(Struct):
-    """What moves as one: a node that has a mesh, or a bone of a skin with the triangles that go with it. Vertices and faces are those of the merged mesh. It holds the nodes with meshes in file order (document order of the nodes array), a node's primitives in order, every vertex in the scene's frame less dm_gltf_get_origin (node transforms applied). Primitives of a node that share an accessor share its vertices. A node with a skin stands bone by bone, as its bones stand in the file; a vertex goes with its heaviest bone."""
+    """What moves as one: a node that has a mesh, or a bone of a skin with the triangles that go with it. Vertices and faces are those of the merged mesh. The merged mesh holds the nodes with meshes in file order (the order of the nodes array), and the primitives of a node in order. Its vertices are in the scene's frame less dm_gltf_get_origin, with node transforms applied. Primitives of a node that share an accessor share its vertices. A node with a skin is stored bone by bone, as its bones stand in the file; a vertex goes with its heaviest bone."""
 
     name: Any
     node: int
@@ -1223,7 +1223,7 @@ class GltfNode(Struct):
 
 
 class GltfSurface(Struct):
-    """Faces of the merged mesh that lie side by side and have one material. Those of a dm_gltf_node are one or more."""
+    """Faces of the merged mesh that lie side by side and have one material. A dm_gltf_node has one or more surfaces."""
 
     first_face: int
     face_count: int
@@ -1244,7 +1244,7 @@ class GltfSurface(Struct):
 
 
 class GltfTrack(Struct):
-    """One animated part: which faces it takes and its key poses (host frame = the file's scene frame, from rest)."""
+    """One animated part: the faces it takes and its key poses (host frame = the file's scene frame, from rest)."""
 
     name: Any
     face_ids: Any
@@ -1286,7 +1286,7 @@ class GltfPart(Struct):
 
 
 class GltfRigDesc(Sized):
-    """What dm_asset_create was given and what it has answered. Everything is borrowed for the call."""
+    """The input and the answers of dm_asset_create. Everything is borrowed for the call."""
 
     struct_size: int
     formats: int

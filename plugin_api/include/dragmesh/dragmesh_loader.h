@@ -32,7 +32,7 @@ typedef const void*(DM_CALL* dm_get_interface_function)(const char* id);
 
 typedef struct dm_library {
     void* handle;
-    const char* error; /* NULL, or why dm_library_open answered NULL; valid until the next call of this thread */
+    const char* error; /* NULL, or why dm_library_open returned NULL; valid until the next call of this thread */
 } dm_library;
 
 #define DM_HAS(table, function)                                                                                        \
@@ -49,8 +49,8 @@ static inline void dm_library_close(dm_library* library) {
     library->handle = NULL;
 }
 
-/* path: as dlopen or LoadLibrary take it, in UTF-8. NULL, with library->error set, when there is no such library or it
- * is none. */
+/* Opens a library and returns its function table. path: as dlopen or LoadLibrary take it, in UTF-8. Returns NULL, with
+ * library->error set, when there is no such library or it is none of dragmesh. */
 static inline const dm_core_1* dm_library_open(dm_library* library, const char* path) {
     /* A union, because ISO C knows no cast from an object to a function pointer. */
     union {

@@ -4,17 +4,17 @@ use std::os::raw::{c_char, c_void};
 pub const DM_VERSION_MAJOR: i32 = 0;
 pub const DM_VERSION_MINOR: i32 = 3;
 pub const DM_VERSION_PATCH: i32 = 0;
-/// 1 while the version that the three numbers name is in development, 0 in its release.
+/// It is 1 while the version that the three numbers name is in development, and 0 in its release.
 pub const DM_VERSION_DEVELOPMENT: i32 = 1;
 /// Number of key poses of a generated motion (paper: T).
 pub const DM_MOTION_FRAMES: i32 = 16;
 /// Most hypotheses kept for one part.
 pub const DM_MAX_HYPOTHESES: i32 = 8;
-/// Most parts of one object, the body not counted.
+/// Most parts of one object, without the body.
 pub const DM_MAX_PARTS: i32 = 4096;
-/// Most nodes of one asset. At most DM\_MAX\_PARTS of them have meshes that are no DM\_ASSET\_NODE\_FOLLOWS.
+/// Most nodes of one asset. At most DM\_MAX\_PARTS of them may have a mesh and not the flag DM\_ASSET\_NODE\_FOLLOWS.
 pub const DM_MAX_ASSET_NODES: i32 = 65536;
-/// Most bytes of a label, the zero not counted.
+/// Most bytes of a label, without the terminating zero.
 pub const DM_MAX_LABEL: i32 = 4096;
 /// Most vertices or triangles of one object.
 pub const DM_MAX_ELEMENTS: i32 = 268435456;
@@ -22,7 +22,7 @@ pub const DM_MAX_ELEMENTS: i32 = 268435456;
 pub const DM_MAX_LINKS: i32 = 256;
 /// Most snap values of one drag.
 pub const DM_MAX_SNAPS: i32 = 16;
-/// No library of the interface dm.core/1 needs more bytes for a dm\_drag\_save; it says how many by dm\_drag\_snapshot\_size.
+/// Most bytes of a dm\_drag\_save in any library of the interface dm.core/1. dm\_drag\_snapshot\_size returns how many this one writes.
 pub const DM_DRAG_SNAPSHOT_MAX: i32 = 65536;
 /// no node: the scene itself
 pub const DM_ASSET_NO_NODE: u32 = 4294967295;
@@ -32,11 +32,11 @@ pub const DM_GLTF_NO_CARRIER: u32 = 4294967295;
 pub const DM_OK: i32 = 0;
 /// a null pointer, an unknown enum value, a count that makes no sense
 pub const DM_ERROR_INVALID_ARGUMENT: i32 = -1;
-/// struct\_size too small, or a newer field is set that this library can't know
+/// struct\_size is too small, or a field is set that this library does not know
 pub const DM_ERROR_STRUCT_SIZE: i32 = -2;
 /// null, destroyed, or of another kind or context
 pub const DM_ERROR_STALE_HANDLE: i32 = -3;
-/// the host's allocator answered NULL
+/// the host's allocator returned NULL
 pub const DM_ERROR_OUT_OF_MEMORY: i32 = -4;
 /// a NaN or infinite number in the input
 pub const DM_ERROR_NOT_FINITE: i32 = -5;
@@ -44,7 +44,7 @@ pub const DM_ERROR_NOT_FINITE: i32 = -5;
 pub const DM_ERROR_INDEX_OUT_OF_RANGE: i32 = -6;
 /// no triangle belongs to the part
 pub const DM_ERROR_EMPTY_MASK: i32 = -7;
-/// the mask, or the part found, is the whole mesh: it tells nothing apart
+/// the mask, or the part found, is the whole mesh, so nothing stays
 pub const DM_ERROR_FULL_MASK: i32 = -8;
 /// no triangle with an area, or all vertices in one point
 pub const DM_ERROR_DEGENERATE_MESH: i32 = -9;
@@ -64,11 +64,11 @@ pub const DM_ERROR_CANCELLED: i32 = -15;
 pub const DM_ERROR_NO_MODEL: i32 = -16;
 /// more than DM\_MAX\_ELEMENTS or DM\_MAX\_PARTS
 pub const DM_ERROR_TOO_LARGE: i32 = -17;
-/// the output buffer can't hold the answer; the size needed is set
+/// the output buffer cannot hold the answer; the size needed is set
 pub const DM_ERROR_BUFFER_TOO_SMALL: i32 = -18;
 /// no such part, node or instance
 pub const DM_ERROR_NOT_FOUND: i32 = -19;
-/// valid, but this build or this file kind can't do it
+/// valid, but this build or this kind of file cannot do it
 pub const DM_ERROR_UNSUPPORTED: i32 = -20;
 /// a bug of ours; please report it
 pub const DM_ERROR_INTERNAL: i32 = -21;
@@ -83,15 +83,15 @@ pub const DM_AXES_UNITY: i32 = 1;
 pub const DM_AXES_UNREAL: i32 = 2;
 /// right-handed, +Z up (Blender, ROS, most CAD)
 pub const DM_AXES_BLENDER: i32 = 3;
-/// dm\_context\_desc.custom\_axes
+/// those of dm\_context\_desc.custom\_axes
 pub const DM_AXES_CUSTOM: i32 = 4;
-/// Embree 3.13 or 4 where its shared library is found, else the library's own
+/// Embree 3.13 or 4 where its shared library is found, else the library's own code
 pub const DM_PICK_AUTO: i32 = 0;
-/// Embree alone
+/// Embree; the context is refused where it is missing
 pub const DM_PICK_EMBREE: i32 = 1;
-/// the library's own: everywhere, in the host's memory
+/// the library's own code, which runs everywhere, in the host's memory
 pub const DM_PICK_PORTABLE: i32 = 2;
-/// nothing, for hosts that cast their own rays: objects keep no trees, there are no scenes
+/// nothing, for hosts that cast their own rays: objects keep no trees, and there are no scenes
 pub const DM_PICK_NONE: i32 = 3;
 pub const DM_JOINT_UNKNOWN: i32 = 0;
 /// turns about a line between two limits, rad
@@ -103,150 +103,150 @@ pub const DM_JOINT_SCREW: i32 = 3;
 /// turns without limits
 pub const DM_JOINT_CONTINUOUS: i32 = 4;
 pub const DM_JOINT_FIXED: i32 = 5;
-/// positions: three each
+/// formats of positions, three numbers each
 pub const DM_FLOAT32: i32 = 0;
-/// positions: three each
+/// formats of positions, three numbers each
 pub const DM_FLOAT64: i32 = 1;
-/// indices and part ids
+/// formats of indices and part ids
 pub const DM_UINT32: i32 = 0;
-/// indices and part ids
+/// formats of indices and part ids
 pub const DM_UINT16: i32 = 1;
-/// indices and part ids
+/// formats of indices and part ids
 pub const DM_UINT8: i32 = 2;
-/// indices and part ids
+/// formats of indices and part ids
 pub const DM_INT32: i32 = 3;
 pub const DM_PER_VERTEX: i32 = 0;
 pub const DM_PER_FACE: i32 = 1;
-/// nothing: it is judged by those of the other parts
+/// not known: the library compares it with those of the other parts
 pub const DM_PIVOT_UNKNOWN: i32 = 0;
-/// where a program puts them all: it says nothing
+/// a program puts all of them there, so it says nothing
 pub const DM_PIVOT_DEFAULT: i32 = 1;
-/// the other nodes' follow a rule and it does not: somebody has set it, and it says the more
+/// The other nodes' pivots follow a rule and this one does not, so somebody has set it. It counts for more.
 pub const DM_PIVOT_SET: i32 = 2;
 pub const DM_JOINT_FROM_NETWORK: i32 = 0;
 pub const DM_JOINT_FROM_GEOMETRY: i32 = 1;
-/// certain, limits too: no pull changes it
+/// the host's own: certain, limits too, and no pull changes it
 pub const DM_JOINT_FROM_HOST: i32 = 2;
-/// a hypothesis of the library that dm\_object\_desc.choose has chosen: no pull puts another joint in its place, or its range on the other side of rest, but its limits are estimates and give
+/// The host has chosen it with dm\_object\_desc.choose. No pull replaces it, or moves its range to the other side of rest. Its limits are estimates, and give.
 pub const DM_JOINT_CHOSEN: i32 = 3;
 pub const DM_LIMIT_LOWER: i32 = 1;
 pub const DM_LIMIT_UPPER: i32 = 2;
 pub const DM_CHOICE_KEEP: i32 = -1;
-/// keep no triangles: the object can't be added to a scene, and is small
+/// The object keeps no triangles. It is small, and cannot be added to a scene.
 pub const DM_PREPARE_WITHOUT_PICKING: i32 = 1;
-/// the plain KPP-Net: no geometric candidates, no ranker. To compare with; NO\_MODEL when \`model\` has no kinematics weights
+/// KPP-Net alone infers the joints, without geometric candidates and ranker, for comparisons. The call answers NO\_MODEL when \`model\` has no kinematics weights.
 pub const DM_PREPARE_NETWORK_ALONE: i32 = 2;
-/// who read the mesh left something of its file out (dm\_gltf\_left\_out): kept as DM\_DEGRADED\_MESH
+/// The reader of the mesh has left out something of its file (dm\_gltf\_left\_out). The object keeps it as DM\_DEGRADED\_MESH.
 pub const DM_PREPARE_MESH_INCOMPLETE: i32 = 4;
-/// no weights of KPP-Net: joints are found by geometry alone
+/// no weights of KPP-Net: geometry alone finds the joints
 pub const DM_DEGRADED_NO_KINEMATICS: i32 = 1;
-/// no weights of the ranker: joints are chosen, and limits set, by rules
+/// no weights of the ranker: rules choose the joints, and set limits
 pub const DM_DEGRADED_NO_RANKER: i32 = 2;
-/// no weights of the DQ-VAE: releases are paced by a rule, motions answer NO\_MODEL
+/// no weights of the DQ-VAE: a rule paces releases, and motions answer NO\_MODEL
 pub const DM_DEGRADED_NO_MOTION: i32 = 4;
-/// everything is of a part: nothing stays that joints could be told by
+/// the mesh has no body, whose contacts would show the joints
 pub const DM_DEGRADED_NO_BODY: i32 = 8;
-/// a pivot was ignored: it is 1,000 object sizes away or more
+/// a pivot was ignored, because it is 1,000 object sizes away or more
 pub const DM_DEGRADED_HINT: i32 = 16;
 /// DM\_PREPARE\_MESH\_INCOMPLETE
 pub const DM_DEGRADED_MESH: i32 = 32;
-/// neither part nor body: a level of detail, a collider, something hidden. It goes where \`follows\` goes, and its mesh is not looked at
+/// The node is neither part nor body: a level of detail, a collider, something hidden. It goes where \`follows\` goes, and its mesh is not read.
 pub const DM_ASSET_NODE_FOLLOWS: i32 = 1;
-/// where its origin lies says nothing
+/// the place of its origin says nothing
 pub const DM_ASSET_NODE_NO_PIVOT: i32 = 2;
-/// the animation scales or bends the node as well
+/// the animation also scales or bends the node
 pub const DM_CLIP_NOT_RIGID: i32 = 1;
-/// clips say nothing
+/// clips are ignored
 pub const DM_ASSET_WITHOUT_CLIPS: i32 = 256;
-/// names and labels say nothing
+/// names and labels are ignored
 pub const DM_ASSET_WITHOUT_NAMES: i32 = 512;
 /// a clip moves a node as no joint does, or is not rigid
 pub const DM_ASSET_CLIP_LEFT_OUT: i32 = 1;
-/// it might move, but probably does not: \`moves\` is below dm\_asset\_desc.min\_moves. Bodies that almost certainly stay are no parts
+/// It may move, but probably does not: \`moves\` is below dm\_asset\_desc.min\_moves. A body that almost certainly stays is no part.
 pub const DM_ASSET_STAYS: i32 = 0;
-/// by its joint
+/// it moves by its joint
 pub const DM_ASSET_MOVES: i32 = 1;
-/// nothing but its weight holds it, as the lid of a teapot: a player can take it away. Its joint is the slide by which it comes off, with a low confidence
+/// Only its weight holds it, as the lid of a teapot, so a player can take it away. Its joint is the slide by which it comes off, with a low confidence.
 pub const DM_ASSET_FREE: i32 = 2;
-/// from shape, contacts and names
+/// inferred from shape, contacts and names
 pub const DM_ASSET_INFERRED: i32 = 0;
-/// dm\_asset\_node.joint
+/// stated in dm\_asset\_node.joint
 pub const DM_ASSET_FROM_FILE: i32 = 1;
-/// dm\_asset\_node.clips
+/// read from dm\_asset\_node.clips
 pub const DM_ASSET_FROM_CLIP: i32 = 2;
-/// follow the joint in force, limits and all, whatever the pull says, as with a host's joint
+/// The drag follows the joint in force with its limits, whatever the pull says, as it follows a host's joint.
 pub const DM_DRAG_KEEP_JOINT: i32 = 1;
-/// no point is grabbed: for hands of DM\_HAND\_RATE, STEP and VALUE, and for releases. grab\_point is not read; the middle of the part's box stands for it
+/// No point is grabbed, for hands of DM\_HAND\_RATE, STEP and VALUE, and for releases. grab\_point is ignored, and the middle of the part's box takes its place.
 pub const DM_DRAG_WITHOUT_POINT: i32 = 2;
-/// the part stays where it is, gives a little, and says so (DM\_EVENT\_LOCKED)
+/// The part stays where it is, gives a little, and reports a try as DM\_EVENT\_LOCKED.
 pub const DM_RULE_LOCKED: i32 = 1;
-/// a latch holds it at rest until a handle has turned (dm\_drag\_input.handles), and catches it again when it comes to rest with the handle let go
+/// A latch holds the part at rest until a handle has turned (dm\_drag\_input.handles), and catches it again when it comes to rest with the handle let go.
 pub const DM_RULE_LATCH: i32 = 2;
-/// the driven part's value is offset + ratio \* (the driver's beyond \`from\`), inside its limits
+/// The driven part's value is offset + ratio \* (the driver's value beyond \`from\`), inside its limits.
 pub const DM_LINK_MOVES: i32 = 0;
 /// the driven part is held until the driver has reached \`from\`: a handle
 pub const DM_LINK_FREES: i32 = 1;
-/// the driven part is held once the driver has reached \`from\`: of drawers, one at a time
+/// the driven part is held once the driver has reached \`from\`: one drawer at a time
 pub const DM_LINK_HOLDS: i32 = 2;
-/// of DM\_LINK\_MOVES: moving the driven part moves the driver
+/// the driven part of a DM\_LINK\_MOVES also moves the driver
 pub const DM_LINK_BOTH_WAYS: i32 = 1;
-/// no news of it: the part goes on to where it was asked to be
+/// there is no news of it, and the part goes on to where it was asked to be
 pub const DM_HAND_NONE: i32 = 0;
-/// a pointer: \`ray\`
+/// a pointer, with \`ray\`
 pub const DM_HAND_RAY: i32 = 1;
-/// a hand in space: \`point\`. The vector from it to the grabbed point stays as in its first update
+/// A hand in space, with \`point\`. The vector from it to the grabbed point stays as it was in its first update.
 pub const DM_HAND_POINT: i32 = 2;
-/// a stick or a key held down: \`amount\`, -1 to 1, times dm\_drag\_rules.drive\_speed
+/// a stick or a key held down, with \`amount\` from -1 to 1 times dm\_drag\_rules.drive\_speed
 pub const DM_HAND_RATE: i32 = 3;
-/// a wheel: moves by \`amount\`, a share of the range
+/// a wheel, which moves the part by \`amount\`, a share of the range
 pub const DM_HAND_STEP: i32 = 4;
-/// a slider of the host's: goes to the joint value \`amount\`
+/// a slider of the host, which moves the part to the joint value \`amount\`
 pub const DM_HAND_VALUE: i32 = 5;
-/// locked in this update, as by DM\_RULE\_LOCKED
+/// the part is locked in this update, as by DM\_RULE\_LOCKED
 pub const DM_INPUT_LOCKED: i32 = 1;
-/// dm\_drag\_override may change the value that this update takes
+/// dm\_drag\_override may change the value after this update
 pub const DM_INPUT_ASK: i32 = 2;
-/// lower and upper hold, also when they are equal
+/// lower and upper hold even when they are equal
 pub const DM_INPUT_BOUNDS: i32 = 4;
-/// follows the pointer
+/// it follows the pointer
 pub const DM_DRAG_HELD: i32 = 0;
-/// moves on by itself: dm\_drag\_release
+/// it moves by itself after dm\_drag\_release
 pub const DM_DRAG_RELEASED: i32 = 1;
-/// has come to where it goes
+/// it has come to where it goes
 pub const DM_DRAG_AT_REST: i32 = 2;
-/// it has met its lower limit (within 0.5 % of the range), dm\_drag\_state.impact fast; again after it was 2 % away. An estimated limit that has given is none
+/// It has met its lower limit (within 0.5 % of the range), with the speed dm\_drag\_state.impact. The event comes again after the part was 2 % away. An estimated limit that has given does not count.
 pub const DM_EVENT_LIMIT_LOWER: i32 = 1;
-/// the same of the upper one
+/// the same for the upper limit
 pub const DM_EVENT_LIMIT_UPPER: i32 = 2;
 /// it is more than 2 % of the range away from rest
 pub const DM_EVENT_LEFT_REST: i32 = 4;
 /// it is within 0.5 % of the range of rest, having left it
 pub const DM_EVENT_REACHED_REST: i32 = 8;
-/// dm\_drag\_rules.open\_share
+/// it has opened beyond dm\_drag\_rules.open\_share
 pub const DM_EVENT_OPENED: i32 = 16;
-/// dm\_drag\_rules.closed\_share
+/// it has closed to within dm\_drag\_rules.closed\_share
 pub const DM_EVENT_CLOSED: i32 = 32;
-/// it has gone over to another detent or snap value: dm\_drag\_state.detents
+/// it has passed to another detent or snap value, see dm\_drag\_state.detents
 pub const DM_EVENT_DETENT: i32 = 64;
-/// the pull has changed the joint: dm\_drag\_state.changes
+/// the pull has changed the joint, see dm\_drag\_state.changes
 pub const DM_EVENT_JOINT: i32 = 128;
-/// dm\_drag\_input's bounds hold it
+/// the bounds of dm\_drag\_input hold it
 pub const DM_EVENT_BLOCKED: i32 = 256;
-/// they no longer do
+/// these bounds no longer hold it
 pub const DM_EVENT_FREED: i32 = 512;
 /// the latch has caught it
 pub const DM_EVENT_LATCHED: i32 = 1024;
 /// the handle has opened the latch
 pub const DM_EVENT_UNLATCHED: i32 = 2048;
-/// it was tried while locked or latched; again after the hand has let up
+/// it was tried while locked or latched; the event comes again after the hand has let up
 pub const DM_EVENT_LOCKED: i32 = 4096;
-/// dm\_drag\_rules.break\_distance has let go of it
+/// it was let go of at dm\_drag\_rules.break\_distance
 pub const DM_EVENT_LET_GO: i32 = 8192;
 /// the latch holds it
 pub const DM_STATUS_LATCHED: i32 = 1;
 /// DM\_RULE\_LOCKED or DM\_INPUT\_LOCKED holds it
 pub const DM_STATUS_LOCKED: i32 = 2;
-/// dm\_drag\_input's bounds hold it, from DM\_EVENT\_BLOCKED to DM\_EVENT\_FREED
+/// the bounds of dm\_drag\_input hold it, from DM\_EVENT\_BLOCKED to DM\_EVENT\_FREED
 pub const DM_STATUS_BLOCKED: i32 = 4;
 /// it counts as open, from DM\_EVENT\_OPENED to DM\_EVENT\_CLOSED
 pub const DM_STATUS_OPEN: i32 = 8;
@@ -254,23 +254,23 @@ pub const DM_STATUS_OPEN: i32 = 8;
 pub const DM_BASIS_PREPARED: i32 = 0;
 /// a pull of this drag, or of an earlier one of the same dm\_part\_state, has changed it
 pub const DM_BASIS_PULL: i32 = 1;
-/// the host's own
+/// it is the host's own
 pub const DM_BASIS_HOST: i32 = 2;
 /// the host has chosen it among the hypotheses
 pub const DM_BASIS_CHOSEN: i32 = 3;
-/// as the player meant it, by where the part is and how fast it goes
+/// the library decides what the player meant, by where the part is and how fast it goes
 pub const DM_GO_AUTO: i32 = 0;
-/// glides to a stop; also stops a part that moves by itself
+/// it glides to a stop; this also stops a part that moves by itself
 pub const DM_GO_STAY: i32 = 1;
-/// goes on to the end of the joint that lies the way it was pulled
+/// it goes to the end of the joint that lies the way it was pulled
 pub const DM_GO_OPEN: i32 = 2;
-/// falls back to where it is closed: dm\_joint.closed, which is rest unless it rests open
+/// it goes to where it is closed (dm\_joint.closed), which is rest unless it rests open
 pub const DM_GO_CLOSE: i32 = 3;
-/// does once more what it did after the last release
+/// it repeats what it did after the last release
 pub const DM_GO_REPLAY: i32 = 4;
-/// stops dead
+/// it stops at once
 pub const DM_GO_FREEZE: i32 = 5;
-/// opens when it is nearer to where it is closed than to its open end, else closes
+/// it opens when it is nearer to where it is closed than to its open end, else it closes
 pub const DM_GO_TOGGLE: i32 = 6;
 pub const DM_INTENT_AUTO: i32 = 0;
 pub const DM_INTENT_STAY: i32 = 1;
@@ -279,27 +279,27 @@ pub const DM_INTENT_CLOSE: i32 = 3;
 pub const DM_INTENT_REPLAY: i32 = 4;
 pub const DM_INTENT_FREEZE: i32 = 5;
 pub const DM_INTENT_TOGGLE: i32 = 6;
-/// paced by a rule, not by the DQ-VAE, whose last bits differ between instruction sets
+/// A rule paces the release instead of the DQ-VAE, whose last bits differ between instruction sets.
 pub const DM_RELEASE_BY_RULE: i32 = 1;
 /// a part that opens to both sides of rest opens away from \`away\_from\`
 pub const DM_RELEASE_AWAY_FROM: i32 = 2;
-/// How a texture goes on beyond its edges: OpenGL's numbers.
+/// How a texture continues beyond its edges, by OpenGL's numbers.
 pub const DM_GLTF_WRAP_REPEAT: i32 = 10497;
-/// How a texture goes on beyond its edges: OpenGL's numbers.
+/// How a texture continues beyond its edges, by OpenGL's numbers.
 pub const DM_GLTF_WRAP_CLAMP: i32 = 33071;
-/// How a texture goes on beyond its edges: OpenGL's numbers.
+/// How a texture continues beyond its edges, by OpenGL's numbers.
 pub const DM_GLTF_WRAP_MIRROR: i32 = 33648;
 /// rigged.urdf: ROS, Gazebo, MuJoCo, Bullet
 pub const DM_GLTF_RIG_URDF: i32 = 1;
 /// rigged.xml: MuJoCo
 pub const DM_GLTF_RIG_MJCF: i32 = 2;
-/// rigged.sdf, of SDF 1.7: Gazebo
+/// rigged.sdf, SDF 1.7: Gazebo
 pub const DM_GLTF_RIG_SDF: i32 = 4;
 /// rigged.usda, with UsdPhysics: Isaac Sim, Omniverse; all in one file
 pub const DM_GLTF_RIG_USDA: i32 = 8;
 /// rigged.tscn: Godot 4
 pub const DM_GLTF_RIG_TSCN: i32 = 16;
-/// rigged.glb: the file with an animation that opens and closes all parts, with KHR\_physics\_rigid\_bodies, KHR\_implicit\_shapes and KHR\_node\_selectability, and the joints in \`extras\` as dm\_gltf\_get\_asset reads them. What a clip of the file moves, with all that it carries, is left to that clip: it has its joint in \`extras\` alone
+/// rigged.glb: the file with an animation that opens and closes all parts, with KHR\_physics\_rigid\_bodies, KHR\_implicit\_shapes and KHR\_node\_selectability, and with the joints in \`extras\` as dm\_gltf\_get\_asset reads them. What a clip of the file moves, with all that it carries, is left to that clip, and has its joint in \`extras\` alone.
 pub const DM_GLTF_RIG_GLB: i32 = 32;
 
 pub type dm_result = i32;
@@ -320,11 +320,11 @@ pub type dm_scene = u64;
 /// a whole asset: which of its nodes move, how, and what carries them
 pub type dm_asset = u64;
 pub type dm_task = Option<unsafe extern "C" fn(data: *mut c_void, index: u32)>;
-/// How far a call is: 0..1, rising; return non-zero to cancel it: it answers DM\_ERROR\_CANCELLED. Called on the thread that calls the library, whatever jobs run beside it.
+/// Reports how much of a call is done, as a number that rises from 0 to 1. It runs on the thread that calls the library, whatever jobs run beside it. Return non-zero to cancel the call, which then answers DM\_ERROR\_CANCELLED.
 pub type dm_progress_callback = Option<unsafe extern "C" fn(user: *mut c_void, done: f32) -> i32>;
-/// Asks the host for a joint type (a designer's tag, a rule, a vision-language model; not DM\_GO\_\*). Return DM\_JOINT\_UNKNOWN to leave the question to the library.
+/// Asks the host for the joint type of a part (a designer's tag, a rule, a vision-language model). Return a DM\_JOINT\_\*, or DM\_JOINT\_UNKNOWN to leave the question to the library.
 pub type dm_intent_callback = Option<unsafe extern "C" fn(user: *mut c_void, part_id: u32, box_min: dm_vec3, box_max: dm_vec3) -> i32>;
-/// Asks the host which hypothesis is right (a designer's rule, a vision-language model that is shown pictures). Return its index to put it in force: its source is DM\_JOINT\_CHOSEN then, and both confidences are 1. DM\_CHOICE\_KEEP leaves the library's answer with its confidences. What else is no index ends the preparation with INDEX\_OUT\_OF\_RANGE. dm\_object\_get\_hypotheses and dm\_object\_reset\_joint go on giving the library's own ranking. Called on the thread that prepares, for one part after the other in order of id; not for parts that the host declares fixed.
+/// Asks the host which hypothesis is right (a designer's rule, a vision-language model that sees pictures). Return its index to put it in force; its source becomes DM\_JOINT\_CHOSEN, and both confidences become 1. Return DM\_CHOICE\_KEEP to keep the library's answer with its confidences. With any other number, the preparation answers INDEX\_OUT\_OF\_RANGE. dm\_object\_get\_hypotheses and dm\_object\_reset\_joint still give the library's own ranking afterwards. The callback runs on the thread that prepares, for one part after the other by rising id, and not for parts that the host declares fixed.
 pub type dm_choice_callback = Option<unsafe extern "C" fn(user: *mut c_void, choice: *const dm_choice) -> i32>;
 #[repr(C)]
 pub struct dm_gltf {
@@ -365,7 +365,7 @@ impl Default for dm_pose {
     }
 }
 
-/// direction need not be unit; distances along the ray are in host units, not in multiples of it.
+/// A ray. The direction need not be a unit vector. Distances along the ray are in host units, not in multiples of it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_ray {
@@ -380,7 +380,7 @@ impl Default for dm_ray {
     }
 }
 
-/// Hooks: see "Callbacks" above. Host memory. allocate returns memory aligned to \`alignment\` (a power of two, 64 at most) or NULL; release gets the size that was asked for. Both may be called from any thread the host calls the library on.
+/// The host's memory. allocate returns memory aligned to \`alignment\` (a power of two, 64 at most) or NULL; release gets the size that was asked for. Both may be called from any thread on which the host calls the library. docs/integration.md says what callbacks may do.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_allocator {
@@ -396,7 +396,7 @@ impl Default for dm_allocator {
     }
 }
 
-/// Messages for people, on the threads that the host calls the library on. level: DM\_LOG\_\*. code: of an error, else DM\_OK. \`text\` is UTF-8, valid during the call.
+/// Receives messages for people, on the threads on which the host calls the library. level: DM\_LOG\_\*. code: the error, or DM\_OK for other messages. text: UTF-8, valid during the call.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_log {
@@ -411,7 +411,7 @@ impl Default for dm_log {
     }
 }
 
-/// The host's job system. parallel\_for runs task(data, i) once for every i in \[0, count) and returns non-zero when all are done, or returns 0 without having run any (the library then runs them inline). A task that was left out, made up or run twice ends the call with INVALID\_ARGUMENT; its second run does nothing. The library starts no thread.
+/// The host's job system. parallel\_for runs task(data, i) once for every i in \[0, count) and returns non-zero when all are done. It may return 0 without having run any, and the library then runs them itself. When a task was left out, made up or run twice, the call answers INVALID\_ARGUMENT; a second run of a task does nothing. The library starts no thread of its own.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_jobs {
@@ -430,26 +430,26 @@ impl Default for dm_jobs {
 #[derive(Clone, Copy, Debug)]
 pub struct dm_context_desc {
     pub struct_size: u32,
-    /// DM\_AXES\_\*; 0 = glTF
+    /// DM\_AXES\_\*; 0 = DM\_AXES\_GLTF
     pub axes: i32,
-    /// length of one host unit; 0 = 1. Unreal: 0.01
+    /// length of one host unit, m; 0 = 1. Unreal: 0.01
     pub unit_in_metres: f32,
-    /// for DM\_AXES\_CUSTOM: row-major matrix that takes a host vector to the canonical frame; orthogonal, determinant +1 or -1
+    /// Row-major matrix that takes a host vector to glTF's axes, for DM\_AXES\_CUSTOM. It is orthogonal, with determinant +1 or -1.
     pub custom_axes: [f32; 9],
     /// zeros = malloc/free
     pub allocator: dm_allocator,
     /// zeros = silent
     pub log: dm_log,
-    /// zeros = inline
+    /// zeros = tasks run on the calling thread
     pub jobs: dm_jobs,
     /// DM\_PICK\_\*; 0 = auto
     pub picking: i32,
     /// 0
     pub reserved: u32,
-    /// of the calls that take long where the mesh is large: dm\_mesh\_find\_part, dm\_object\_prepare without a callback of its own, dm\_object\_load, dm\_object\_refine. NULL = none. May be called from several threads at once
+    /// Callback of dm\_mesh\_find\_part, dm\_object\_load and dm\_object\_refine, and of dm\_object\_prepare and dm\_asset\_create without one of their own; NULL = none. Several threads may call it at once, one for each such call.
     pub progress: dm_progress_callback,
     pub progress_user: *mut c_void,
-    /// most scratch memory that stays with the context from call to call; 0 = 32 MB, 1 = none. dm\_context\_trim gives it back
+    /// Most bytes of scratch memory that stay with the context between calls; 0 = 32 MB, 1 = none. dm\_context\_trim gives them back.
     pub kept_bytes: u64,
 }
 
@@ -468,15 +468,15 @@ pub struct dm_memory_info {
     pub struct_size: u32,
     /// 0
     pub reserved: u32,
-    /// held now through the context's allocator
+    /// bytes held now through the context's allocator
     pub bytes: u64,
-    /// most ever held
+    /// most bytes ever held
     pub peak_bytes: u64,
     /// calls of allocate so far
     pub allocations: u64,
-    /// held now by Embree, which reports sizes but has its own allocator
+    /// bytes held now by Embree, which has its own allocator and reports sizes
     pub pick_bytes: u64,
-    /// of \`bytes\`: in no use now, kept for later calls (dm\_context\_desc.kept\_bytes)
+    /// share of \`bytes\` that no call uses now, kept for later calls (dm\_context\_desc.kept\_bytes)
     pub kept_bytes: u64,
 }
 
@@ -489,7 +489,7 @@ impl Default for dm_memory_info {
     }
 }
 
-/// Bytes of safetensors files; each may be absent (NULL, 0). They are copied and repacked: free them after the call.
+/// Weights, as the bytes of safetensors files. Each may be absent (NULL, 0). The library copies and repacks them, so the host may free them after the call.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_model_desc {
@@ -500,7 +500,7 @@ pub struct dm_model_desc {
     /// DQ-VAE: sdk/models/dq\_vae.safetensors
     pub motion: *const c_void,
     pub motion_size: usize,
-    /// chooses between candidate joints: sdk/models/ranker.safetensors; absent: by rules
+    /// chooses between candidate joints: sdk/models/ranker.safetensors; rules choose without it
     pub ranker: *const c_void,
     pub ranker_size: usize,
 }
@@ -514,34 +514,34 @@ impl Default for dm_model_desc {
     }
 }
 
-/// The host's mesh, read in place. Triangles. The sizes of the buffers guard against a forgotten format, scope or stride: one that does not hold what counts, formats and strides say is refused, and nothing is read past its end.
+/// The host's mesh of triangles, which the library reads in place. The sizes of the buffers guard against a forgotten format, scope or stride: the call refuses a buffer that does not hold what counts, formats and strides say, and never reads past its end.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_mesh_desc {
     pub struct_size: u32,
-    /// bytes between vertices; 0 = packed
+    /// bytes from one vertex to the next; 0 = packed
     pub position_stride: u32,
-    /// vertex\_count x 3
+    /// vertex\_count x 3 numbers
     pub positions: *const c_void,
     pub vertex_count: u64,
-    /// of the buffer from \`positions\` on; 0 = not stated, and not checked
+    /// size of the buffer that begins at \`positions\`; 0 = not stated, and not checked
     pub position_bytes: u64,
-    /// index\_count, a multiple of 3; NULL = vertices in order, three a triangle
+    /// index\_count indices, three a triangle; NULL = each three vertices in order are a triangle
     pub indices: *const c_void,
     pub index_count: u64,
-    /// of the buffer; 0 = not stated, and not checked
+    /// size of the buffer; 0 = not stated, and not checked
     pub index_bytes: u64,
-    /// which part a vertex or a face belongs to: 0 = the body that stays, 1.. = parts. Ids that dm\_object\_desc.parts does not list are the body's. Per vertex, a triangle belongs to the id that two of its corners share (else the smallest). Where everything is of a part, as of a door leaf alone, there is no body, and joints are less sure
+    /// The part that each vertex or face belongs to: 0 = the body that stays, 1 and above = parts. An id that dm\_object\_desc.parts does not list counts as the body's. With ids per vertex, a triangle belongs to the id that two of its corners share, or else to the smallest. A mesh without a body, such as a door leaf alone, is allowed, but its joints are less certain.
     pub part_ids: *const c_void,
-    /// of the buffer from \`part\_ids\` on; required with part\_ids. It must be that of one id a vertex or a face, as part\_id\_scope says, neither less nor more
+    /// Size of the buffer that begins at \`part\_ids\`, required with part\_ids. It must be exactly that of one id a vertex or a face, as part\_id\_scope says.
     pub part_id_bytes: u64,
-    /// bytes; 0 = packed
+    /// bytes from one id to the next; 0 = packed
     pub part_id_stride: u32,
     /// DM\_FLOAT32 | DM\_FLOAT64
     pub position_format: i32,
     /// DM\_UINT32 | DM\_UINT16 | DM\_UINT8
     pub index_format: i32,
-    /// DM\_UINT32 | DM\_UINT16 | DM\_UINT8 | DM\_INT32 (negative = body)
+    /// DM\_UINT32 | DM\_UINT16 | DM\_UINT8 | DM\_INT32, whose negative ids are the body's
     pub part_id_format: i32,
     /// DM\_PER\_VERTEX | DM\_PER\_FACE
     pub part_id_scope: i32,
@@ -558,13 +558,13 @@ impl Default for dm_mesh_desc {
     }
 }
 
-/// A drag as evidence of how a part moves: a point on it and the direction it was pulled, as a hand drew it.
+/// A drag as evidence of how a part moves: a point on it, and the way in which a hand pulled it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_drag_hint {
-    /// on or near the part, host object frame
+    /// a point on or near the part, host object frame
     pub point: dm_vec3,
-    /// non-zero; its length is how far it was pulled
+    /// direction of the pull, not zero; its length is how far it went
     pub vector: dm_vec3,
 }
 
@@ -575,13 +575,13 @@ impl Default for dm_drag_hint {
     }
 }
 
-/// Where an asset has the node or bone that moves a part, at rest. Evidence: an artist may have put it on the hinge, or left it in the middle or at the file's origin. Leave it out, or say DM\_PIVOT\_DEFAULT, where all nodes of an asset, the body's too, have theirs by one rule: at one point, or at the same place of their boxes. A program has put them there, and an edge that happens to lie there would be taken for a hinge.
+/// Where an asset has the node or bone that moves a part, at rest. An artist may have put it on the hinge, or left it in the middle or at the file's origin, so it is evidence only. Leave it out, or say DM\_PIVOT\_DEFAULT, where all nodes of an asset have theirs by one rule: at one point, or at the same place of their boxes. A program has put them there, and an edge that happens to lie there would be taken for a hinge.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_pivot {
     /// host object frame
     pub origin: dm_vec3,
-    /// the node's own x, y and z axis, three numbers each, host object frame; of any length, also mirrored. Zeros: unknown
+    /// The node's x, y and z axis, three numbers each, host object frame. They may have any length, and may be mirrored. Zeros: unknown.
     pub axes: [f32; 9],
 }
 
@@ -596,15 +596,15 @@ impl Default for dm_pivot {
 #[derive(Clone, Copy, Debug)]
 pub struct dm_part_desc {
     pub struct_size: u32,
-    /// as in part\_ids; 1..
+    /// id as in part\_ids, 1 or above
     pub id: u32,
-    /// id of the part that carries this one; 0 = the body. A part moves with its parent
+    /// id of the part that carries this one and that it moves with; 0 = the body
     pub parent: u32,
-    /// DM\_JOINT\_\*; 0 = to be found out
+    /// DM\_JOINT\_\*; 0 = the library infers it
     pub joint_type: i32,
     /// optional evidence
     pub drag: *const dm_drag_hint,
-    /// optional evidence: names that the asset has for the part, UTF-8, outermost first, joined by '/': file, parents, node, mesh. Names in any language that tell what it is (door, lid, Hebel) count, others don't. At most DM\_MAX\_LABEL bytes
+    /// Optional evidence: the names that the asset has for the part, as UTF-8, outermost first, joined by '/': file, parents, node, mesh. A name counts, in any language, when it says what the part is (door, lid, Hebel). At most DM\_MAX\_LABEL bytes.
     pub label: *const c_char,
     /// optional evidence
     pub pivot: *const dm_pivot,
@@ -630,25 +630,25 @@ pub struct dm_joint {
     pub struct_size: u32,
     /// DM\_JOINT\_\*
     pub type_: i32,
-    /// probability that the type is right, 0..1
+    /// probability that the type is right, 0 to 1
     pub type_confidence: f32,
-    /// probability that type, axis and origin are all right, 0..1; never above the other
+    /// Probability that type, axis and origin are all right, 0 to 1; never above type\_confidence.
     pub joint_confidence: f32,
-    /// screws: host units a radian, signed along the axis
+    /// host units a radian, signed along the axis; for screws only
     pub pitch: f32,
-    /// unit; host object frame. A positive value turns right-handed in a right-handed host frame (left-handed in a left-handed one), or slides along it. Found with a drag, positive goes its way; without one, the longer way is positive, so \`upper\` opens
+    /// Unit vector, host object frame. A positive value slides along it, or turns about it: right-handed in a right-handed host frame, left-handed in a left-handed one. A joint found with a drag is positive the way of the drag. Without a drag the longer way is positive, so \`upper\` is the open end.
     pub axis: dm_vec3,
-    /// the point of the axis line nearest the part's centre; a host's own stays as it was given
+    /// A point of the axis: of a joint of the library the one nearest the part's centre; a host's own stays as it was given.
     pub origin: dm_vec3,
-    /// limits of the joint value (rad or host units); the rest pose is value 0. None when they are equal, and for continuous joints. A limit that a host gives farther from rest than 1000 rad or 100 object sizes (FLT\_MAX, 1e10, infinity) is none; where only one side is, a little more than that stands for it
+    /// Limits of the joint value, rad or host units; the rest pose is value 0. There are none when both are equal, and none for continuous joints. A limit of the host farther from rest than 1000 rad or 100 object sizes (FLT\_MAX, 1e10, infinity) counts as none. Where only one side has none, a little more than that stands for it.
     pub lower: f32,
-    /// limits of the joint value (rad or host units); the rest pose is value 0. None when they are equal, and for continuous joints. A limit that a host gives farther from rest than 1000 rad or 100 object sizes (FLT\_MAX, 1e10, infinity) is none; where only one side is, a little more than that stands for it
+    /// Limits of the joint value, rad or host units; the rest pose is value 0. There are none when both are equal, and none for continuous joints. A limit of the host farther from rest than 1000 rad or 100 object sizes (FLT\_MAX, 1e10, infinity) counts as none. Where only one side has none, a little more than that stands for it.
     pub upper: f32,
     /// DM\_JOINT\_FROM\_\*, DM\_JOINT\_CHOSEN
     pub source: i32,
-    /// in a dm\_part\_state: what the part's pulls so far say of all its joints. dm\_drag\_end writes it, dm\_drag\_begin reads it; keep the four numbers as they are. Zeros: no pull said anything. Elsewhere 0, and not read
+    /// Evidence in a dm\_part\_state: what the part's pulls so far say of all its joints. dm\_drag\_end writes it and dm\_drag\_begin reads it, so keep the four numbers as they are. Zeros: no pull has said anything. In other structs it is 0, and no function reads it.
     pub evidence: [u32; 4],
-    /// joint value at which the part is closed: 0, or one of the limits where the part rests open. A host's joint may have it; outside of its limits it is moved to the nearer one
+    /// Joint value at which the part is closed: 0, or one of the limits when the part rests open. A host's joint may set it; a value outside of its limits becomes the nearer limit.
     pub closed: f32,
 }
 
@@ -661,7 +661,7 @@ impl Default for dm_joint {
     }
 }
 
-/// A joint as a physics engine's constraint wants it: an orthonormal frame whose x axis is the hinge's or slider's. y and z are any, the same for the same joint; x, y, z and \`rotation\` have determinant +1 in the host's coordinates.
+/// A joint as the constraint of a physics engine: an orthonormal frame whose x axis is that of the hinge or slider. The y and z axes are arbitrary, but always the same for the same joint. x, y, z and \`rotation\` have determinant +1 in the host's coordinates.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_joint_frame {
@@ -670,21 +670,21 @@ pub struct dm_joint_frame {
     pub type_: i32,
     /// host object frame
     pub origin: dm_vec3,
-    /// unit
+    /// unit vectors
     pub x: dm_vec3,
-    /// unit
+    /// unit vectors
     pub y: dm_vec3,
-    /// unit
+    /// unit vectors
     pub z: dm_vec3,
     /// unit quaternion x, y, z, w that takes the frame's coordinates to the object's
     pub rotation: [f32; 4],
-    /// hinges and screws: rad about x; sliders: host units along x; 0 where there is none
+    /// Limits, about or along x: rad for hinges and screws, host units for sliders; 0 where there is none.
     pub lower: f32,
-    /// hinges and screws: rad about x; sliders: host units along x; 0 where there is none
+    /// Limits, about or along x: rad for hinges and screws, host units for sliders; 0 where there is none.
     pub upper: f32,
-    /// DM\_LIMIT\_LOWER | DM\_LIMIT\_UPPER: which there are
+    /// DM\_LIMIT\_LOWER | DM\_LIMIT\_UPPER: the limits that exist
     pub limits: u32,
-    /// screws: host units along x a radian
+    /// host units along x a radian; for screws only
     pub pitch: f32,
 }
 
@@ -697,18 +697,18 @@ impl Default for dm_joint_frame {
     }
 }
 
-/// Where one instance's part stands, and by which joint: all of what the host keeps of it, saves, replicates and undoes. Belongs to the instance, not to the object: doors of one object may differ. Save it field by field (type, pitch, axis, origin, limits, source, both confidences, evidence, value).
+/// Where the part of one instance stands, and by which joint it moves. This is all that a host must keep, save, replicate and undo for it. It belongs to the instance, not to the object, because two doors of one object may differ. Save it field by field: type, pitch, axis, origin, limits, source, both confidences, evidence, value.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_part_state {
     pub struct_size: u32,
     /// joint value; 0 = rest
     pub value: f32,
-    /// d value / dt, for a physics engine that takes over; told, not read: a drag begins without
+    /// d value / dt, for a physics engine that takes over; output only: a drag begins with velocity 0
     pub velocity: f32,
-    /// DM\_STATUS\_\*; told, not read
+    /// DM\_STATUS\_\*; output only
     pub status: u32,
-    /// as shown, from rest. It differs from dm\_joint\_pose(joint, value) only while the part comes over to a joint that has just changed. Zeros: that of joint and value
+    /// The pose as shown, from rest. It differs from dm\_joint\_pose(joint, value) only while the part blends over to a joint that has just changed. Zeros: that of joint and value.
     pub pose: dm_pose,
     /// stays the last field
     pub joint: dm_joint,
@@ -729,11 +729,11 @@ pub struct dm_part_info {
     pub struct_size: u32,
     pub id: u32,
     pub parent: u32,
-    /// of the part alone, without the parts it carries
+    /// triangles of the part alone, without the parts it carries
     pub triangle_count: u32,
     pub box_min: dm_vec3,
     pub box_max: dm_vec3,
-    /// area-weighted surface centroid
+    /// centroid of the surface
     pub centre: dm_vec3,
     pub area: f32,
 }
@@ -747,17 +747,17 @@ impl Default for dm_part_info {
     }
 }
 
-/// Where a hypothesis takes its part at one end of its range. Host object frame. Frozen.
+/// Where a hypothesis takes its part at one end of its range, host object frame. Frozen.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_joint_end {
     /// joint value
     pub value: f32,
-    /// of the part, from rest
+    /// pose of the part, from rest
     pub pose: dm_pose,
-    /// of the part alone, as in dm\_part\_info
+    /// box of the part alone, as in dm\_part\_info
     pub box_min: dm_vec3,
-    /// of the part alone, as in dm\_part\_info
+    /// box of the part alone, as in dm\_part\_info
     pub box_max: dm_vec3,
     pub centre: dm_vec3,
 }
@@ -769,16 +769,16 @@ impl Default for dm_joint_end {
     }
 }
 
-/// A ranked hypothesis and what it would do. struct\_size: what the library has filled.
+/// A ranked hypothesis and what it would do. struct\_size says how much the library has filled.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_hypothesis {
     pub struct_size: u32,
     /// 0
     pub reserved: u32,
-    /// with its limits and probabilities
+    /// the joint, with its limits and probabilities
     pub joint: *const dm_joint,
-    /// at the lower and the upper limit. Of a joint without limits: a quarter turn, or half the object's size, either way
+    /// The ends at the lower and at the upper limit. For a joint without limits they are a quarter turn, or half the object's size, either way.
     pub ends: [dm_joint_end; 2],
 }
 
@@ -791,12 +791,12 @@ impl Default for dm_hypothesis {
     }
 }
 
-/// A part and its hypotheses, for the host to choose from. Valid during the call.
+/// A part and its hypotheses, for the host to choose from. All of it is valid during the call only.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_choice {
     pub struct_size: u32,
-    /// of hypotheses; 1 .. DM\_MAX\_HYPOTHESES
+    /// number of hypotheses, 1 to DM\_MAX\_HYPOTHESES
     pub count: u32,
     pub part: *const dm_part_info,
     /// most probable first
@@ -819,23 +819,23 @@ pub struct dm_object_desc {
     /// DM\_PREPARE\_\*
     pub flags: u32,
     pub mesh: *const dm_mesh_desc,
-    /// NULL: every id \> 0 in part\_ids is a part carried by the body
+    /// NULL: every id above 0 in part\_ids is a part that the body carries
     pub parts: *const dm_part_desc,
     pub part_count: u32,
     /// 0
     pub reserved: u32,
-    /// weights; 0 = geometry alone
+    /// weights; 0 = the joints come from geometry alone
     pub model: dm_model,
-    /// of the surface sampling; the same seed gives the same bits
+    /// seed of the surface sampling; the same seed gives the same bits
     pub seed: u64,
     pub intent: dm_intent_callback,
     pub intent_user: *mut c_void,
-    /// NULL = that of the context
+    /// NULL = the context's
     pub progress: dm_progress_callback,
     pub progress_user: *mut c_void,
-    /// optional evidence: names of the whole object, as dm\_part\_desc.label; they count for the parts whose own label tells nothing
+    /// Optional evidence: names of the whole object, as dm\_part\_desc.label. They count for the parts whose own label says nothing.
     pub label: *const c_char,
-    /// which way is up, host object frame; it counts together with labels and pivots alone. 0 = that of the context's axes
+    /// The up direction, host object frame. It counts only together with labels and pivots. 0 = that of the context's axes.
     pub up: dm_vec3,
     pub choose: dm_choice_callback,
     pub choose_user: *mut c_void,
@@ -857,17 +857,17 @@ pub struct dm_object_info {
     pub part_count: u32,
     pub vertex_count: u64,
     pub triangle_count: u64,
-    /// host object frame; with oblique custom axes it may be larger than need be
+    /// host object frame; oblique custom axes may make it larger than need be
     pub box_min: dm_vec3,
-    /// host object frame; with oblique custom axes it may be larger than need be
+    /// host object frame; oblique custom axes may make it larger than need be
     pub box_max: dm_vec3,
     /// largest side of the box
     pub size: f32,
-    /// 1 when it kept its triangles
+    /// 1 when it has kept its triangles
     pub pickable: u32,
-    /// DM\_DEGRADED\_\*; 0: all that the library knows was at work
+    /// DM\_DEGRADED\_\*; 0: nothing was missing
     pub degraded: u32,
-    /// DM\_PICK\_EMBREE or DM\_PICK\_PORTABLE: whose trees it has; DM\_PICK\_NONE: it has none
+    /// DM\_PICK\_EMBREE or DM\_PICK\_PORTABLE: the kind of its trees. DM\_PICK\_NONE: it has none.
     pub picking: i32,
 }
 
@@ -884,13 +884,13 @@ impl Default for dm_object_info {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_asset_clip {
-    /// of the animation, UTF-8; may be NULL
+    /// name of the animation, UTF-8; may be NULL
     pub name: *const c_char,
     /// s, rising
     pub times: *const f32,
-    /// of the node from the pose that its mesh has, asset frame, as if all nodes above it stood still
+    /// Poses of the node relative to the pose that its mesh has, asset frame, as if all nodes above it stood still.
     pub poses: *const dm_pose,
-    /// of times and poses
+    /// number of times and of poses
     pub key_count: u32,
     /// DM\_CLIP\_NOT\_RIGID
     pub flags: u32,
@@ -903,32 +903,32 @@ impl Default for dm_asset_clip {
     }
 }
 
-/// A node of an asset as a host has it.
+/// A node of an asset, as the host has it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_asset_node {
     pub struct_size: u32,
     /// DM\_ASSET\_NODE\_\*
     pub flags: u32,
-    /// index of the node above it, which may come later in the list; else DM\_ASSET\_NO\_NODE
+    /// index of the node above it, which may come later in the list, or DM\_ASSET\_NO\_NODE
     pub parent: u32,
-    /// of DM\_ASSET\_NODE\_FOLLOWS: index of a node, DM\_ASSET\_NO\_NODE: the one above it
+    /// Index of the node that a DM\_ASSET\_NODE\_FOLLOWS follows; DM\_ASSET\_NO\_NODE: the one above it.
     pub follows: u32,
     /// UTF-8, DM\_MAX\_LABEL bytes at most; NULL: none
     pub name: *const c_char,
-    /// the same, of its mesh
+    /// name of its mesh, with the same rules
     pub mesh_name: *const c_char,
-    /// without part\_ids; NULL: a node without a mesh, such as a group
+    /// mesh without part\_ids; NULL: a node without a mesh, such as a group
     pub mesh: *const dm_mesh_desc,
-    /// 4x4, column-major: node to asset frame, all nodes above it included; affine. NULL: identity
+    /// 4x4, column-major, affine: takes the node's frame to the asset frame, all nodes above it included. NULL: identity.
     pub transform: *const f32,
-    /// asset frame. NULL: origin and axes of \`transform\`; where that is NULL too, unknown
+    /// Asset frame. NULL: origin and axes of \`transform\`, and unknown where that is NULL too.
     pub pivot: *const dm_pivot,
     pub clips: *const dm_asset_clip,
     pub clip_count: u32,
     /// 0
     pub reserved: u32,
-    /// asset frame: a joint that the file states for this node, with limits; certain, as a joint that the host sets. DM\_JOINT\_FIXED: the node is one with the node above it. NULL: none
+    /// Joint that the file states for this node, asset frame, with limits. It is certain, as a joint that the host sets. DM\_JOINT\_FIXED: the node is one with the node above it. NULL: none.
     pub joint: *const dm_joint,
 }
 
@@ -951,16 +951,16 @@ pub struct dm_asset_desc {
     /// optional evidence: names of the whole asset, as dm\_object\_desc.label
     pub label: *const c_char,
     pub node_count: u32,
-    /// parts of at least this probability move, and are the object's; 0 = 0.5
+    /// Least probability of moving, 0 to 1, from which a part counts as moving and belongs to the object; 0 = 0.5.
     pub min_moves: f32,
-    /// weights; 0 = geometry alone
+    /// weights; 0 = the joints come from geometry alone
     pub model: dm_model,
-    /// as dm\_object\_desc.seed
+    /// seed, as dm\_object\_desc.seed
     pub seed: u64,
-    /// NULL = that of the context
+    /// NULL = the context's
     pub progress: dm_progress_callback,
     pub progress_user: *mut c_void,
-    /// which way is up, asset frame; 0 = that of the context's axes
+    /// the up direction, asset frame; 0 = that of the context's axes
     pub up: dm_vec3,
     /// 0
     pub reserved: u32,
@@ -980,13 +980,13 @@ impl Default for dm_asset_desc {
 pub struct dm_asset_info {
     pub struct_size: u32,
     pub node_count: u32,
-    /// those that stay included
+    /// parts, those that stay included
     pub part_count: u32,
-    /// parts that move or are free: those of the object
+    /// parts that move or are free, which are those of the object
     pub moving_count: u32,
-    /// of the nodes that do not follow others
+    /// triangles of the nodes that do not follow others
     pub triangle_count: u64,
-    /// DM\_DEGRADED\_\*: what the joints were found without
+    /// DM\_DEGRADED\_\*: what was missing when the joints were found
     pub degraded: u32,
     /// DM\_ASSET\_CLIP\_LEFT\_OUT
     pub warnings: u32,
@@ -1008,19 +1008,19 @@ pub struct dm_asset_part {
     pub struct_size: u32,
     /// index of the part that carries it, or DM\_ASSET\_NO\_PART
     pub parent: u32,
-    /// in the object: its index + 1; 0 while it stays
+    /// id in the object: its index in the asset + 1; 0 while it stays
     pub part_id: u32,
     /// DM\_ASSET\_STAYS …
     pub state: i32,
     /// DM\_ASSET\_INFERRED …
     pub basis: i32,
-    /// probability that it moves against what carries it, 0..1
+    /// probability that it moves relative to what carries it, 0 to 1
     pub moves: f32,
-    /// its nodes, those that follow them included; not those of the parts that it carries
+    /// Its nodes, those that follow them included. Nodes of the parts that it carries do not count.
     pub node_count: u32,
-    /// the same without those that follow
+    /// triangles of these nodes, without those that follow
     pub triangle_count: u32,
-    /// s that its clip takes from one end of the joint to the other; 0: it has none
+    /// Seconds in which its clip takes it from one end of the joint to the other; 0: it has no clip.
     pub duration: f32,
     /// 0
     pub reserved: u32,
@@ -1045,7 +1045,7 @@ pub struct dm_motion_desc {
     pub part_id: u32,
     /// required
     pub drag: dm_drag_hint,
-    /// optional: where the pointer drew the drag point, from drag.point on; 65536 at most
+    /// Optional: the path on which the pointer drew the drag point, from drag.point on; at most 65536 points.
     pub path: *const dm_vec3,
     /// 0: the path that opens the joint all the way in the drag's direction
     pub path_count: u32,
@@ -1062,21 +1062,21 @@ impl Default for dm_motion_desc {
     }
 }
 
-/// How a drag feels. Zeros are the defaults. Stiffness, damping and inertia of a part in the hand matter through two ratios, which are times: smoothing\_time is damping over stiffness, coast\_time inertia over damping.
+/// How a drag feels. Zeros are the defaults. Stiffness, damping and inertia of a part in the hand matter only through two ratios, which are times: smoothing\_time is damping over stiffness, coast\_time is inertia over damping.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_drag_feel {
     /// s for the part to close half the gap to the pointer; 0 = 0.02, negative = none
     pub smoothing_time: f32,
-    /// share of the range over which the ends give; 0 = hard ends. Not of limits that the library estimated: see dm\_drag\_desc.limit\_give
+    /// Share of the range over which the ends give; 0 = hard ends. It does not apply to limits that the library estimated: see dm\_drag\_desc.limit\_give.
     pub soft_limit: f32,
-    /// s in which a part left alone loses half its speed, and how heavy it is in the hand; 0 = 0.1 once released and weightless in the hand, negative = stops where it is let go
+    /// Seconds in which a part left alone loses half its speed; in the hand it makes the part heavy. 0 = 0.1 once released, and weightless in the hand; negative = it stops where it is let go.
     pub coast_time: f32,
-    /// joint value from one catch to the next, the first at rest (rad or host units); 0 = none
+    /// Joint value from one catch to the next, rad or host units, counted from where the part is closed; 0 = none.
     pub detent: f32,
-    /// how hard catches hold, up to 1; 0 = 0.7. Nothing without \`detent\`
+    /// strength of the catches, up to 1; 0 = 0.7. It has no effect without \`detent\`
     pub detent_pull: f32,
-    /// s for the released part to spring back to rest; 0 = push buttons alone, in 0.12; negative = nothing springs back
+    /// Seconds in which the released part springs back to rest. 0 = push buttons alone do, in 0.12 s; negative = nothing does.
     pub return_time: f32,
 }
 
@@ -1087,46 +1087,46 @@ impl Default for dm_drag_feel {
     }
 }
 
-/// What a part does besides following the hand. Zeros are off, but for the defaults of thresholds. "Range" is from lower to upper limit; where one of them is missing, 1 rad or the object's size. docs/feel.md.
+/// What a part does besides following the hand. Zeros are off, except that thresholds have defaults. "Range" is the way from lower to upper limit; where one of them is missing, it is 1 rad or the object's size. docs/feel.md describes each rule.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_drag_rules {
     pub struct_size: u32,
     /// DM\_RULE\_\*
     pub flags: u32,
-    /// snap\_count joint values, rising: there the part catches, as at detents, and pulls as hard as feel.detent\_pull says. Not with feel.detent
+    /// Joint values, rising, at which the part catches as at detents, as hard as feel.detent\_pull says. With feel.detent above 0 they are refused.
     pub snaps: *const f32,
     /// DM\_MAX\_SNAPS at most
     pub snap_count: u32,
-    /// joint value: how far a snap value reaches to either side; 0 = half-way to the next, or a twentieth of the range where there is none
+    /// Joint value that a snap value reaches to either side; 0 = half-way to the next one, or a twentieth of the range where there is none.
     pub snap_reach: f32,
-    /// share of the range from rest: DM\_EVENT\_OPENED beyond; 0 = 0.1
+    /// share of the range from rest beyond which DM\_EVENT\_OPENED comes; 0 = 0.1
     pub open_share: f32,
-    /// share of the range from rest: DM\_EVENT\_CLOSED within; 0 = 0.02; less than open\_share. A part that is grabbed between both counts as open
+    /// Share of the range from rest within which DM\_EVENT\_CLOSED comes; 0 = 0.02. It is less than open\_share. A part that is grabbed between both counts as open.
     pub closed_share: f32,
     /// shortest time between DM\_EVENT\_OPENED and DM\_EVENT\_CLOSED, s
     pub event_time: f32,
-    /// joint value a second; 0 = none
+    /// joint value a second; 0 = no limit
     pub max_speed: f32,
-    /// joint value a second squared while it gets faster, the highest force over the part's inertia; 0 = none
+    /// Joint value a second squared while the part gets faster: the highest force over the part's inertia; 0 = no limit.
     pub max_acceleration: f32,
-    /// share of the range that a locked or latched part gives at most; 0 = 0.01, negative = none
+    /// Share of the range by which a locked or latched part gives at most; 0 = 0.01, negative = none.
     pub lock_give: f32,
-    /// joint value of a handle, of either sign, from which on the latch is open; 0 = 0.785
+    /// Joint value of a handle, of either sign, from which on the latch is open; 0 = 0.785 (rad: 45 degrees).
     pub latch_turn: f32,
-    /// a released part nearer to rest than this share of the range closes; 0 = none does
+    /// Share of the range: a released part nearer to rest than this closes by itself; 0 = none does.
     pub auto_close_share: f32,
-    /// s that takes; 0 = 0.25
+    /// seconds in which it closes; 0 = 0.25
     pub auto_close_time: f32,
-    /// s after the release before feel.return\_time brings it back
+    /// seconds from the release until feel.return\_time brings the part back
     pub close_delay: f32,
-    /// a released part falls to rest from nearer than this share of the range, and else to its open end, as a hatch does; 0 = it does not fall
+    /// Share of the range: a released part nearer to rest than this falls to rest, and any other to its open end, as a hatch does; 0 = it does not fall.
     pub tip_share: f32,
-    /// s of a fall over the whole range; 0 = 0.7
+    /// seconds of a fall over the whole range; 0 = 0.7
     pub fall_time: f32,
-    /// share of its speed, 0 to 1, with which it comes back from a limit that it falls, glides or swings against
+    /// Share of its speed, 0 to 1, with which a part rebounds from a limit that it falls, glides or swings against.
     pub restitution: f32,
-    /// host units from the hand to where it holds the part, beyond which it lets go (DM\_EVENT\_LET\_GO) and the part is released; 0 = never
+    /// Host units from the hand to where it holds the part, beyond which the part is released (DM\_EVENT\_LET\_GO); 0 = never.
     pub break_distance: f32,
     /// share of the range a second at dm\_hand.amount 1; 0 = 1
     pub drive_speed: f32,
@@ -1155,11 +1155,11 @@ pub struct dm_link {
     pub kind: i32,
     /// DM\_LINK\_BOTH\_WAYS
     pub flags: u32,
-    /// value of the driven part a value of the driver; 0 = 1. Rad, host units: rack and pinion
+    /// Value of the driven part a value of the driver; 0 = 1. The two may be rad and host units, as in a rack and pinion.
     pub ratio: f32,
     /// value of the driven part while the driver is at \`from\`
     pub offset: f32,
-    /// value of the driver: nothing moves while it is nearer to 0, on that side of 0. 0: DM\_LINK\_FREES and DM\_LINK\_HOLDS take it as reached at rest
+    /// Value of the driver from which on the link acts, on that side of rest. With 0, DM\_LINK\_FREES and DM\_LINK\_HOLDS count it as reached at rest.
     pub from: f32,
 }
 
@@ -1176,22 +1176,22 @@ pub struct dm_drag_desc {
     pub struct_size: u32,
     pub part_id: u32,
     pub object: dm_object,
-    /// on the part as it is now, host object frame
+    /// point on the part as it is now, host object frame
     pub grab_point: dm_vec3,
-    /// joint value the part has now; 0 = rest. Not with \`state\`
+    /// joint value of the part now; 0 = rest. It must be 0 with \`state\`
     pub start_value: f32,
     pub feel: dm_drag_feel,
     /// DM\_DRAG\_KEEP\_JOINT, DM\_DRAG\_WITHOUT\_POINT
     pub flags: u32,
-    /// how far a pull that goes on takes the part beyond limits that the library estimated, as a share of the range. 0 = as far as it is pulled, by a turn or the object's size at most; negative = not at all. The host's own limits never give, nor does a stop at rest
+    /// How far a pull takes the part beyond limits that the library estimated, as a share of the range. 0 = as far as the pull goes, by one turn or the object's size at most; negative = not at all. The host's own limits never give, nor does a stop at rest.
     pub limit_give: f32,
-    /// the instance's own joint and value, as an earlier drag ended with them: the first pose is the last one of then. NULL = the object's joint in force, at start\_value
+    /// The instance's joint and value, as an earlier drag has returned them; the drag begins in its pose. NULL = the object's joint in force, at start\_value.
     pub state: *const dm_part_state,
-    /// of the instance along the axes of the object frame, negative = mirrored; 0 = 1. Then grab\_point, rays, state and poses are in the scaled frame (object coordinates times scale), and poses are rigid in it
+    /// Scale of the instance along the axes of the object frame; negative = mirrored, 0 = 1. grab\_point, rays, state and poses are then in the scaled frame (object coordinates times scale), and poses are rigid in it.
     pub scale: dm_vec3,
     /// 0
     pub reserved: u32,
-    /// NULL = none, and no events
+    /// NULL = no rules, and no events
     pub rules: *const dm_drag_rules,
 }
 
@@ -1207,15 +1207,15 @@ impl Default for dm_drag_desc {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_hand {
-    /// DM\_HAND\_\*. RATE, STEP and VALUE stay inside the limits. RATE and STEP open with an amount above 0. A limit that the library estimated stops them first. It then gives as to a pull: to a RATE after 0.25 s at the limit, to the next STEP
+    /// DM\_HAND\_\*. RATE, STEP and VALUE stay inside the limits. RATE and STEP open the part with an amount above 0. A limit that the library estimated stops them first, and gives afterwards, as it gives to a pull: to a RATE after 0.25 s at the limit, to a STEP at the next one.
     pub kind: i32,
-    /// object frame; scaled with dm\_drag\_desc.scale
+    /// object frame, scaled with dm\_drag\_desc.scale
     pub ray: dm_ray,
-    /// the same
+    /// object frame, scaled with dm\_drag\_desc.scale
     pub point: dm_vec3,
-    /// of RATE, STEP, VALUE
+    /// what RATE, STEP and VALUE ask for
     pub amount: f32,
-    /// of a second hand alone, where it takes hold: read in its first update, on the part as it is
+    /// Where a second hand takes hold of the part as it is then. It is read in that hand's first update only.
     pub grab_point: dm_vec3,
 }
 
@@ -1226,7 +1226,7 @@ impl Default for dm_hand {
     }
 }
 
-/// All that can be told a drag in one update.
+/// Everything that one update can read.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_drag_input {
@@ -1234,13 +1234,13 @@ pub struct dm_drag_input {
     /// DM\_INPUT\_\*
     pub flags: u32,
     pub hand: dm_hand,
-    /// another hand on the part, by ray or point; DM\_HAND\_NONE = none. Both count as far as each can move the part. It comes and goes without a jump
+    /// Another hand on the part, by ray or point; DM\_HAND\_NONE = none. Each hand counts as far as it can move the part. It comes and goes without a jump.
     pub second: dm_hand,
-    /// joint values of the handles of a latch, where their drags or links have them
+    /// joint values of the handles of a latch, from their drags or links
     pub handles: [f32; 2],
-    /// joint values between which the host's world leaves the part room in this update, infinite on a free side; none when they are equal, but for DM\_INPUT\_BOUNDS. The part stops there softly, and goes on when it is free; where it is beyond, it is pushed back
+    /// Joint values between which the host's world leaves the part room in this update, infinite on a free side. There are none when both are equal, unless DM\_INPUT\_BOUNDS is set. The part stops there softly, goes on when it is free, and is pushed back when it lies beyond.
     pub lower: f32,
-    /// joint values between which the host's world leaves the part room in this update, infinite on a free side; none when they are equal, but for DM\_INPUT\_BOUNDS. The part stops there softly, and goes on when it is free; where it is beyond, it is pushed back
+    /// Joint values between which the host's world leaves the part room in this update, infinite on a free side. There are none when both are equal, unless DM\_INPUT\_BOUNDS is set. The part stops there softly, goes on when it is free, and is pushed back when it lies beyond.
     pub upper: f32,
 }
 
@@ -1257,13 +1257,13 @@ impl Default for dm_drag_input {
 #[derive(Clone, Copy, Debug)]
 pub struct dm_drag_state {
     pub struct_size: u32,
-    /// of the part from rest, object frame; compose with the parent part's own pose
+    /// pose of the part from rest, object frame; compose it with the carrier's own pose
     pub pose: dm_pose,
-    /// where the grabbed point is now
+    /// place of the grabbed point now
     pub grab_point: dm_vec3,
     /// joint value
     pub value: f32,
-    /// value the pointer asks for, before smoothing and inside the limits
+    /// joint value that the pointer asks for, before smoothing and inside the limits
     pub target: f32,
     /// d value / dt
     pub velocity: f32,
@@ -1271,21 +1271,21 @@ pub struct dm_drag_state {
     pub at_limit: i32,
     /// DM\_DRAG\_HELD …
     pub phase: i32,
-    /// how often the pull has changed the joint that the drag follows: dm\_drag\_get\_part\_state. The pose comes over to a new joint within 0.6 s; the grabbed point first, mostly in 0.1 s
+    /// How often the pull has changed the joint that the drag follows (dm\_drag\_get\_part\_state). The pose blends over to a new joint within 0.6 s, the grabbed point mostly within 0.1 s.
     pub changes: u32,
-    /// DM\_EVENT\_\*; 0 without dm\_drag\_desc.rules, as the two below
+    /// DM\_EVENT\_\*; 0 without dm\_drag\_desc.rules
     pub events: u32,
-    /// detents or snap values that it has gone over to since the update before; a long update may pass several
+    /// Detents or snap values that the part has passed to since the update before; a long update may pass several. 0 without dm\_drag\_desc.rules.
     pub detents: u32,
-    /// joint value a second: how fast it met a limit or was blocked; 0 without such an event
+    /// Speed with which it met a limit or was blocked, joint value a second; 0 without such an event, or without dm\_drag\_desc.rules.
     pub impact: f32,
     /// DM\_STATUS\_\*: what holds the part, and how it stands; 0 without dm\_drag\_desc.rules
     pub status: u32,
-    /// probability that the joint in force is right, 0..1: the one number to show. A pull of one kind from one side never makes it certain
+    /// Probability that the joint in force is right, 0 to 1: the one number to show. A pull of one kind from one side never makes it 1.
     pub joint_confidence: f32,
     /// DM\_BASIS\_\*: where the joint in force comes from
     pub joint_basis: i32,
-    /// how far the part is open: 0 where it is closed (dm\_joint.closed), 1 at the end farther from there, between them by the joint value; 0 for joints without limits
+    /// How far the part is open: 0 where it is closed (dm\_joint.closed), 1 at the end farther from there, and linear in the joint value between both. 0 for joints without limits.
     pub open_share: f32,
 }
 
@@ -1304,13 +1304,13 @@ pub struct dm_release_desc {
     pub struct_size: u32,
     /// DM\_GO\_\*
     pub intent: i32,
-    /// s from here to the end; 0 = as far and fast as it goes asks for
+    /// seconds from here to the end; 0 = by how far and how fast the part goes
     pub duration: f32,
-    /// of the DQ-VAE, as dm\_motion\_desc.seed
+    /// seed of the DQ-VAE, as dm\_motion\_desc.seed
     pub seed: u32,
     /// DM\_RELEASE\_\*
     pub flags: u32,
-    /// object frame, scaled with dm\_drag\_desc.scale: the player, say
+    /// a place such as the player's, object frame, scaled with dm\_drag\_desc.scale
     pub away_from: dm_vec3,
 }
 
@@ -1327,13 +1327,13 @@ impl Default for dm_release_desc {
 #[derive(Clone, Copy, Debug)]
 pub struct dm_release_plan {
     pub struct_size: u32,
-    /// as decided: DM\_GO\_STAY, OPEN, CLOSE or FREEZE
+    /// what was decided: DM\_GO\_STAY, OPEN, CLOSE or FREEZE
     pub intent: i32,
     pub start_value: f32,
     pub end_value: f32,
-    /// s; 0 when it is there already
+    /// seconds; 0 when the part is there already
     pub duration: f32,
-    /// 1: paced by the DQ-VAE; 0: by a rule
+    /// 1: the DQ-VAE paces it; 0: a rule does
     pub from_network: u32,
 }
 
@@ -1350,19 +1350,19 @@ impl Default for dm_release_plan {
 #[derive(Clone, Copy, Debug)]
 pub struct dm_camera {
     pub struct_size: u32,
-    /// rad, below pi; 0 = orthographic with ortho\_height
+    /// vertical angle of view, rad, below pi; 0 = orthographic with ortho\_height
     pub fov_y: f32,
     /// host world frame
     pub eye: dm_vec3,
-    /// need not be unit or orthogonal, not parallel
+    /// need not be unit or orthogonal, but must not be parallel
     pub forward: dm_vec3,
-    /// need not be unit or orthogonal, not parallel
+    /// need not be unit or orthogonal, but must not be parallel
     pub up: dm_vec3,
     /// pixels
     pub viewport_width: f32,
     /// pixels
     pub viewport_height: f32,
-    /// orthographic: host units from bottom to top; else not used
+    /// host units from bottom to top, for orthographic views only
     pub ortho_height: f32,
 }
 
@@ -1396,9 +1396,9 @@ impl Default for dm_scene_desc {
 #[derive(Clone, Copy, Debug)]
 pub struct dm_hit {
     pub struct_size: u32,
-    /// as dm\_scene\_add gave it
+    /// instance, as dm\_scene\_add returned it
     pub instance: u32,
-    /// 0 = nothing hit
+    /// 0 = nothing was hit
     pub object: dm_object,
     /// 0 = the body
     pub part_id: u32,
@@ -1406,15 +1406,15 @@ pub struct dm_hit {
     pub triangle: u32,
     /// host units from the ray's origin
     pub distance: f32,
-    /// barycentric weights of the triangle's second and third corner
+    /// barycentric weights of the triangle's second and third corners
     pub u: f32,
-    /// barycentric weights of the triangle's second and third corner
+    /// barycentric weights of the triangle's second and third corners
     pub v: f32,
     /// host world frame
     pub point: dm_vec3,
-    /// unit, geometric, of the triangle's winding; host world frame
+    /// unit geometric normal, by the triangle's winding; host world frame
     pub normal: dm_vec3,
-    /// the same point in the object's frame with the part as it is now: dm\_drag\_desc.grab\_point
+    /// The same point in the object's frame with the part as it is now, for dm\_drag\_desc.grab\_point.
     pub object_point: dm_vec3,
 }
 
@@ -1430,7 +1430,7 @@ impl Default for dm_hit {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_core_1 {
-    /// bytes of this table in the library at hand: check before calling a newer entry
+    /// size of this table in the library in use; check it before you call a newer entry
     pub struct_size: u32,
     pub reserved: u32,
     pub result_string: Option<unsafe extern "C" fn(result: dm_result) -> *const c_char>,
@@ -1506,12 +1506,12 @@ impl Default for dm_core_1 {
     }
 }
 
-/// Files beside a .gltf: buffers when it is opened, images when it is exported or a surface is asked for.
+/// Gives access to files beside a .gltf: to buffers when it is opened, to images when it is exported or a surface is asked for.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_gltf_files {
     pub user: *mut c_void,
-    /// Hands over the bytes of the file at \`path\`: relative to the document, UTF-8, '/' between folders. It never is absolute, never has "..", a backslash or a colon in it. Returns DM\_OK, DM\_ERROR\_OUT\_OF\_MEMORY, or another number: there is no such file.
+    /// Hands over the bytes of the file at \`path\`, which is relative to the document, UTF-8, with '/' between folders. The path is never absolute, and has no "..", backslash or colon. Returns DM\_OK, DM\_ERROR\_OUT\_OF\_MEMORY, or any other number when there is no such file.
     pub open: Option<unsafe extern "C" fn(user: *mut c_void, path: *const c_char, out_data: *const *const c_void, out_size: *mut usize) -> i32>,
     /// Takes the bytes back, before dm\_gltf\_close returns.
     pub close: Option<unsafe extern "C" fn(user: *mut c_void, data: *const c_void, size: usize)>,
@@ -1537,11 +1537,11 @@ pub struct dm_gltf_desc {
     pub allocator: dm_allocator,
     /// zeros = silent
     pub log: dm_log,
-    /// zeros = none: everything is embedded. \`user\` lives as long as the dm\_gltf
+    /// Zeros = none: everything is embedded. \`user\` must live as long as the dm\_gltf.
     pub files: dm_gltf_files,
-    /// of dm\_gltf\_open, dm\_gltf\_open\_file and dm\_gltf\_export; NULL = none. A call that it stops answers CANCELLED
+    /// Callback of dm\_gltf\_open, dm\_gltf\_open\_file and dm\_gltf\_export; NULL = none. A call that it stops answers CANCELLED.
     pub progress: dm_progress_callback,
-    /// lives as long as the dm\_gltf
+    /// must live as long as the dm\_gltf
     pub progress_user: *mut c_void,
 }
 
@@ -1554,15 +1554,15 @@ impl Default for dm_gltf_desc {
     }
 }
 
-/// What moves as one: a node that has a mesh, or a bone of a skin with the triangles that go with it. Vertices and faces are those of the merged mesh. It holds the nodes with meshes in file order (document order of the nodes array), a node's primitives in order, every vertex in the scene's frame less dm\_gltf\_get\_origin (node transforms applied). Primitives of a node that share an accessor share its vertices. A node with a skin stands bone by bone, as its bones stand in the file; a vertex goes with its heaviest bone.
+/// What moves as one: a node that has a mesh, or a bone of a skin with the triangles that go with it. Vertices and faces are those of the merged mesh. The merged mesh holds the nodes with meshes in file order (the order of the nodes array), and the primitives of a node in order. Its vertices are in the scene's frame less dm\_gltf\_get\_origin, with node transforms applied. Primitives of a node that share an accessor share its vertices. A node with a skin is stored bone by bone, as its bones stand in the file; a vertex goes with its heaviest bone.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_gltf_node {
-    /// valid UTF-8, '?' for what is none; "" when it has none. Lives as long as the dm\_gltf
+    /// Valid UTF-8, with '?' for each piece that is none; "" when it has none. It lives as long as the dm\_gltf.
     pub name: *const c_char,
-    /// index in the file's nodes array, of the node or bone; of an instance: behind them
+    /// index of the node or bone in the file's nodes array; instances come behind them
     pub node: u32,
-    /// the nearest dm\_gltf\_node above it, by index here: it goes where that one goes. Else DM\_GLTF\_NO\_CARRIER
+    /// Index of the nearest dm\_gltf\_node above it, with which it moves, or DM\_GLTF\_NO\_CARRIER.
     pub carrier: u32,
     pub first_vertex: u64,
     pub vertex_count: u64,
@@ -1579,7 +1579,7 @@ impl Default for dm_gltf_node {
     }
 }
 
-/// Faces of the merged mesh that lie side by side and have one material. Those of a dm\_gltf\_node are one or more.
+/// Faces of the merged mesh that lie side by side and have one material. A dm\_gltf\_node has one or more surfaces.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_gltf_surface {
@@ -1587,7 +1587,7 @@ pub struct dm_gltf_surface {
     pub face_count: u64,
     /// base colour factor, linear; white without a material
     pub colour: [f32; 4],
-    /// the base colour texture as it is stored: PNG, JPEG, or what an extension has, sRGB. NULL: none. Surfaces with the same image have the same pointer; lives as long as the dm\_gltf
+    /// The base colour texture as it is stored, in sRGB: PNG, JPEG, or what an extension has. NULL: none. Surfaces with the same image have the same pointer. It lives as long as the dm\_gltf.
     pub image: *const c_void,
     /// bytes
     pub image_size: usize,
@@ -1604,18 +1604,18 @@ impl Default for dm_gltf_surface {
     }
 }
 
-/// One animated part: which faces it takes and its key poses (host frame = the file's scene frame, from rest).
+/// One animated part: the faces it takes and its key poses (host frame = the file's scene frame, from rest).
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_gltf_track {
-    /// of the new node and animation target; NULL = "moving\_part"
+    /// name of the new node and animation target; NULL = "moving\_part"
     pub name: *const c_char,
-    /// face\_count of the merged mesh
+    /// face\_count ids of the merged mesh
     pub face_ids: *const u8,
     /// faces with this id move
     pub value: u8,
     pub reserved: [u8; 7],
-    /// key\_count
+    /// key\_count poses
     pub poses: *const dm_pose,
     /// seconds, rising
     pub times: *const f32,
@@ -1635,9 +1635,9 @@ impl Default for dm_gltf_track {
 #[derive(Clone, Copy, Debug)]
 pub struct dm_gltf_part {
     pub name: *const c_char,
-    /// vertex\_count x 3, glTF frame
+    /// vertex\_count x 3 numbers, glTF frame
     pub positions: *const f32,
-    /// index\_count
+    /// index\_count indices
     pub indices: *const u32,
     pub vertex_count: u64,
     pub index_count: u64,
@@ -1652,46 +1652,46 @@ impl Default for dm_gltf_part {
     }
 }
 
-/// What dm\_asset\_create was given and what it has answered. Everything is borrowed for the call.
+/// The input and the answers of dm\_asset\_create. Everything is borrowed for the call.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_gltf_rig_desc {
     pub struct_size: u32,
     /// DM\_GLTF\_RIG\_\*
     pub formats: u32,
-    /// as dm\_asset\_create took them
+    /// the nodes that dm\_asset\_create took
     pub nodes: *const dm_asset_node,
-    /// all that dm\_asset\_get\_part answers; NULL: none
+    /// all parts that dm\_asset\_get\_part answers; NULL: none
     pub parts: *const dm_asset_part,
-    /// all that dm\_asset\_get\_joint answers, one a part
+    /// all joints that dm\_asset\_get\_joint answers, one a part
     pub joints: *const dm_joint,
     /// what dm\_asset\_get\_node\_parts answers
     pub node_parts: *const u32,
     /// red, green, blue, opacity of each node, linear; NULL: white
     pub colours: *const f32,
-    /// of the asset, UTF-8; NULL: "asset"
+    /// name of the asset, UTF-8; NULL: "asset"
     pub name: *const c_char,
-    /// UTF-8, of each part; NULL: that of its first node that has one
+    /// name of each part, UTF-8; NULL: that of its first node that has one
     pub part_names: *const *const c_char,
-    /// the file whose dm\_gltf\_get\_asset has made the nodes; NULL: there is none. A GLB needs it. Where \`colours\` is NULL, nodes have those of the file
+    /// The file whose dm\_gltf\_get\_asset has made the nodes; NULL: there is none. A GLB needs it. Where \`colours\` is NULL, nodes have the colours of the file.
     pub gltf: *mut dm_gltf,
     pub node_count: u32,
     pub part_count: u32,
-    /// of the asset frame: DM\_AXES\_\*, but for DM\_AXES\_CUSTOM
+    /// axes of the asset frame: DM\_AXES\_\*, except DM\_AXES\_CUSTOM
     pub axes: i32,
-    /// length of one unit of the asset; 0 = 1
+    /// length of one unit of the asset, m; 0 = 1
     pub unit_in_metres: f32,
-    /// kg/m³ of closed pieces; 0 = 600, wood
+    /// density of closed pieces, kg/m³; 0 = 600, wood
     pub density: f32,
-    /// m, of pieces that are open surfaces; 0 = 0.003
+    /// thickness of pieces that are open surfaces, m; 0 = 0.003
     pub thickness: f32,
     /// share of a part's weight that holds it back; 0 = 0.1; negative: none
     pub friction: f32,
-    /// s in which a part that nothing drives loses 63 % of its speed; 0 = 0.5; negative: no damping
+    /// Seconds in which a part that nothing drives loses 63 % of its speed; 0 = 0.5; negative: no damping.
     pub damping_time: f32,
     /// zeros = malloc/free
     pub allocator: dm_allocator,
-    /// zeros = silent; warns of what a format can't hold
+    /// zeros = silent; gets warnings of what a format cannot hold
     pub log: dm_log,
 }
 
@@ -1707,7 +1707,7 @@ impl Default for dm_gltf_rig_desc {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_gltf_rig_file {
-    /// below the folder of the rig: letters, digits, '\_', '.', and '/' between folders
+    /// path below the folder of the rig: letters, digits, '\_', '.', and '/' between folders
     pub path: *const c_char,
     /// lives as long as the dm\_gltf\_rig
     pub data: *const c_void,
@@ -1723,189 +1723,194 @@ impl Default for dm_gltf_rig_file {
 
 #[link(name = "dragmesh")]
 extern "C" {
-    /// NAME of a result, such as "DM\_ERROR\_EMPTY\_MASK"; "DM\_ERROR\_UNKNOWN" for others. Never NULL. \[any-thread\]
+    /// Returns the name of a result, such as "DM\_ERROR\_EMPTY\_MASK", or "DM\_ERROR\_UNKNOWN" for a number that is none. It never returns NULL. \[any-thread\]
     pub fn dm_result_string(result: dm_result) -> *const c_char;
-    /// Version of the library in use, as DM\_VERSION. \[any-thread\]
+    /// Returns the version of the library in use, as DM\_VERSION has it. \[any-thread\]
     pub fn dm_version() -> u32;
-    /// The function table of an interface id, NULL for an unknown one. "dm.core/1" -\> const dm\_core\_1\*. \[any-thread\]
+    /// Returns the function table of an interface id, or NULL for an unknown one. "dm.core/1" gives a const dm\_core\_1\*. \[any-thread\]
     pub fn dm_get_interface(id: *const c_char) -> *const c_void;
-    /// Makes a context. desc NULL = all defaults. Errors: UNSUPPORTED when desc.picking asks for what is not there. \[any-thread\]
+    /// Creates a context. desc NULL stands for all defaults. Errors: UNSUPPORTED when desc.picking asks for a picker that is not there. \[any-thread\]
     pub fn dm_context_create(desc: *const dm_context_desc, out_context: *mut *mut dm_context) -> dm_result;
-    /// Destroys it and everything made with it; NULL does nothing. \[exclusive context\]
+    /// Destroys a context and everything made with it. NULL does nothing. \[exclusive context\]
     pub fn dm_context_destroy(context: *mut dm_context);
-    /// out\_info-\>struct\_size must be set. \[any-thread\]
+    /// Writes how much memory a context holds. out\_info-\>struct\_size must be set. \[any-thread\]
     pub fn dm_context_get_memory(context: *const dm_context, out_info: *mut dm_memory_info) -> dm_result;
-    /// Gives the scratch memory that is kept for later calls (dm\_memory\_info.kept\_bytes) back to the host's allocator: when a level has loaded, or memory is short. \[any-thread\]
+    /// Returns the scratch memory that the context keeps for later calls (dm\_memory\_info.kept\_bytes) to the host's allocator, for instance when a level has loaded. \[any-thread\]
     pub fn dm_context_trim(context: *mut dm_context) -> dm_result;
-    /// Reads weights. Errors: BAD\_DATA, WRONG\_MODEL, VERSION. \[any-thread\]
+    /// Loads weights. Errors: BAD\_DATA, WRONG\_MODEL, VERSION. \[any-thread\]
     pub fn dm_model_load(context: *mut dm_context, desc: *const dm_model_desc, out_model: *mut dm_model) -> dm_result;
-    /// Objects prepared with it keep their joints, and motions made with it stay; new motions and refinements of such objects answer NO\_MODEL. \[exclusive object\]
+    /// Frees weights. Objects prepared with them keep their joints, and motions made with them stay; new motions and refinements of such objects answer NO\_MODEL. \[exclusive object\]
     pub fn dm_model_unload(context: *mut dm_context, model: dm_model) -> dm_result;
-    /// Finds the part that a point of the surface belongs to, when no mask names it: 1 in out\_face\_ids for every triangle that moves with it, 0 for the others; as part ids per face they go straight into a dm\_mesh\_desc. mesh-\>part\_ids tell pieces known to be rigid (the nodes of a scene): the grabbed one moves, with what is fastened to it alone. NULL, or one piece: the part is put together from the mesh's sheets of surface. drag: where it was grabbed and how it was pulled; a zero vector: no direction. Milliseconds to tens of them, a second for tens of thousands of loose pieces; never more than linear in their number. Errors: as dm\_object\_prepare's of the mesh; BUFFER\_TOO\_SMALL when face\_count is less than the mesh's; DRAG\_OFF\_PART; FULL\_MASK when nothing is left that stays; CANCELLED. \[any-thread\]
+    /// Finds the part that a point of the surface belongs to, where no mask names it. Writes 1 to out\_face\_ids for every triangle that moves with it and 0 for the others; as part ids per face they can go into a dm\_mesh\_desc unchanged. The call takes up to tens of milliseconds, and a second for tens of thousands of loose pieces; its time grows at most linearly with their number. mesh-\>part\_ids: pieces known to be rigid, such as the nodes of a scene; the grabbed one moves, together with what is fastened to it alone. With NULL, or with one piece, the part is put together from the mesh's sheets of surface. drag: the point where the part was grabbed, and the direction of the pull; a zero vector means no direction. Errors: those of dm\_object\_prepare for a mesh; BUFFER\_TOO\_SMALL when face\_count is less than the mesh's; DRAG\_OFF\_PART; FULL\_MASK when nothing is left that stays; CANCELLED. \[any-thread\]
     pub fn dm_mesh_find_part(context: *mut dm_context, mesh: *const dm_mesh_desc, drag: *const dm_drag_hint, out_face_ids: *mut u8, face_count: u64) -> dm_result;
-    /// Finds out how each part moves. Milliseconds to tens of them; see docs/performance.md. Uses dm\_jobs. Warns once where the answer is less than it could be (DM\_DEGRADED\_\*). Errors: NOT\_FINITE, INDEX\_OUT\_OF\_RANGE (also of what desc.choose answers), EMPTY\_MASK, DEGENERATE\_MESH, ZERO\_DRAG, DRAG\_OFF\_PART, TOO\_LARGE, CANCELLED. \[any-thread\]
+    /// Infers how each part of a mesh moves, and makes an object of it. The call takes up to tens of milliseconds for a usual object (docs/performance.md) and uses dm\_jobs. It warns once where the answer is worse than it could be (DM\_DEGRADED\_\*). Errors: NOT\_FINITE, INDEX\_OUT\_OF\_RANGE (also for an answer of desc.choose), EMPTY\_MASK, DEGENERATE\_MESH, ZERO\_DRAG, DRAG\_OFF\_PART, TOO\_LARGE, CANCELLED. \[any-thread\]
     pub fn dm_object_prepare(context: *mut dm_context, desc: *const dm_object_desc, out_object: *mut dm_object) -> dm_result;
-    /// Writes the prepared object (.dmo: versioned, checksummed, little-endian). Call with buffer NULL to learn the size. out\_size gets the bytes needed or written, with BUFFER\_TOO\_SMALL too. Triangles come with trees of the library's own, so that loading builds none; where the object has others, each call builds them. \[exclusive object\]
+    /// Writes a prepared object as .dmo bytes, which are versioned, checksummed and little-endian. Call it with a NULL buffer to learn the size. out\_size gets the bytes needed or written, also with BUFFER\_TOO\_SMALL. Triangles are stored with trees of the library's own, so that loading builds none; where the object has other trees, each call builds them. \[exclusive object\]
     pub fn dm_object_save(context: *mut dm_context, object: dm_object, buffer: *mut c_void, capacity: usize, out_size: *mut usize) -> dm_result;
-    /// Reads what dm\_object\_save wrote, by this or any earlier version. \`model\` (may be 0) serves its motions. The file's own trees are taken where desc.picking of the context is DM\_PICK\_AUTO or DM\_PICK\_PORTABLE (dm\_object\_info.picking). Errors: BAD\_DATA, VERSION, CANCELLED. \[any-thread\]
+    /// Loads what dm\_object\_save has written, by this or any earlier version. model: the weights of its motions; may be 0. The file's own trees are used where desc.picking of the context is DM\_PICK\_AUTO or DM\_PICK\_PORTABLE (dm\_object\_info.picking). Errors: BAD\_DATA, VERSION, CANCELLED. \[any-thread\]
     pub fn dm_object_load(context: *mut dm_context, data: *const c_void, size: usize, model: dm_model, out_object: *mut dm_object) -> dm_result;
-    /// Its drags and motions end with it, and its instances leave their scenes. \[exclusive object, and none of those in use\]
+    /// Destroys an object. Its drags and motions end with it, and its instances leave their scenes. \[exclusive object, and none of those in use\]
     pub fn dm_object_destroy(context: *mut dm_context, object: dm_object) -> dm_result;
-    /// out\_info-\>struct\_size must be set. \[any-thread\]
+    /// Writes counts, box and size of an object. out\_info-\>struct\_size must be set. \[any-thread\]
     pub fn dm_object_get_info(context: *mut dm_context, object: dm_object, out_info: *mut dm_object_info) -> dm_result;
-    /// Part by position 0 .. part\_count-1, in order of id. out\_info-\>struct\_size must be set. \[any-thread\]
+    /// Writes the part at a position, 0 to part\_count - 1, in order of id. out\_info-\>struct\_size must be set. \[any-thread\]
     pub fn dm_object_get_part(context: *mut dm_context, object: dm_object, index: u32, out_info: *mut dm_part_info) -> dm_result;
-    /// The joint in force: the best hypothesis, or the host's own. out\_joint-\>struct\_size must be set. \[any-thread\]
+    /// Writes the joint in force: the best hypothesis, or the host's own. out\_joint-\>struct\_size must be set. \[any-thread\]
     pub fn dm_object_get_joint(context: *mut dm_context, object: dm_object, part_id: u32, out_joint: *mut dm_joint) -> dm_result;
-    /// Ranked hypotheses, best first, re-ranked by \`drag\` when it is given (microseconds; no network pass). capacity up to DM\_MAX\_HYPOTHESES; out\_joints\[0\].struct\_size must be set, the others get it; out\_count gets how many were written. \[any-thread\]
+    /// Writes the hypotheses of a part, best first. When \`drag\` is given, it re-ranks them, which takes microseconds and no network pass. capacity: up to DM\_MAX\_HYPOTHESES. out\_joints\[0\].struct\_size must be set, and the others get it. out\_count gets how many were written. \[any-thread\]
     pub fn dm_object_get_hypotheses(context: *mut dm_context, object: dm_object, part_id: u32, drag: *const dm_drag_hint, out_joints: *mut dm_joint, capacity: u32, out_count: *mut u32) -> dm_result;
-    /// Runs the kinematics pass of one part again, with the player's drag as evidence, and puts the result in force. Milliseconds, not for every frame. Errors: NO\_MODEL; UNSUPPORTED when the object kept no triangles; CANCELLED, which leaves the joint in force. \[exclusive object\]
+    /// Infers the joint of one part again with the player's drag as evidence, and puts the result in force. It takes milliseconds, so it is not for every frame. Errors: NO\_MODEL; UNSUPPORTED when the object kept no triangles; CANCELLED, which leaves the joint in force. \[exclusive object\]
     pub fn dm_object_refine(context: *mut dm_context, object: dm_object, part_id: u32, drag: *const dm_drag_hint) -> dm_result;
-    /// The host knows better: puts its joint in force. The axis may have any length, limits may be infinite (dm\_joint.lower). Source becomes DM\_JOINT\_FROM\_HOST and both confidences 1, unless the joint is, bit for bit, the one in force or the library's own answer: then source and confidences are those of that one. Drags and motions that already run keep the joint they began with. \[exclusive object\]
+    /// Puts the host's own joint in force. Its axis may have any length, and its limits may be infinite (dm\_joint.lower). Its source becomes DM\_JOINT\_FROM\_HOST and both confidences 1, unless the joint is, bit for bit, the one in force or the library's own answer; it then keeps the source and the confidences of that one. Drags and motions that already run keep the joint they began with. \[exclusive object\]
     pub fn dm_object_set_joint(context: *mut dm_context, object: dm_object, part_id: u32, joint: *const dm_joint) -> dm_result;
     /// Puts the library's own answer back in force, after dm\_object\_set\_joint or a choice. \[exclusive object\]
     pub fn dm_object_reset_joint(context: *mut dm_context, object: dm_object, part_id: u32) -> dm_result;
-    /// Links parts of an object, in place of the links of before; count 0 to DM\_MAX\_LINKS, 0: none. Copied; a saved object does not hold them. Errors: INVALID\_ARGUMENT also when a part is moved by two drivers, or by itself over others; NOT\_FOUND. \[exclusive object\]
+    /// Replaces all links between parts of an object by copies of these. count: 0, which removes all, to DM\_MAX\_LINKS. A saved object does not hold links. Errors: INVALID\_ARGUMENT also when a part is moved by two drivers, or by itself over others; NOT\_FOUND. \[exclusive object\]
     pub fn dm_object_set_links(context: *mut dm_context, object: dm_object, links: *const dm_link, count: u32) -> dm_result;
-    /// Moves what is linked with a part that has moved. inout\_values: the joint values of one instance, one a part, in the order of dm\_object\_get\_part; that of the part itself changes where a driver of it is at its limit (dm\_drag\_override). out\_held (may be NULL): 1 for the parts that links hold where they are (DM\_INPUT\_LOCKED), else 0. count: of both, the number of parts. Limits are those of the joints in force, of the instance unscaled. \[frame\]
+    /// Moves everything that is linked with a part that has moved. inout\_values: the joint values of one instance, one a part, in the order of dm\_object\_get\_part. The value of the part itself changes when a driver of it is at its limit (dm\_drag\_override). out\_held: gets 1 for each part that links hold where it is (DM\_INPUT\_LOCKED), else 0; may be NULL. count: the number of parts, which is the length of both. The limits are those of the joints in force, for the unscaled instance. \[frame\]
     pub fn dm_object_follow_links(context: *mut dm_context, object: dm_object, part_id: u32, inout_values: *mut f32, out_held: *mut u8, count: u32) -> dm_result;
-    /// Finds out which nodes of an asset move, which of them as one, what carries what, and how each moves. The same nodes in the same order give the same bits. About as long as dm\_object\_prepare for all of its nodes. Uses dm\_jobs. Warns once where the answer is less than it could be. Errors, which name the node: NOT\_FINITE, INDEX\_OUT\_OF\_RANGE, DEGENERATE\_MESH, TOO\_LARGE, CANCELLED; INVALID\_ARGUMENT also when parents or followers form a circle, a name is no UTF-8, and no node has a mesh. \[any-thread\]
+    /// Infers which nodes of an asset move, which of them move as one, what carries what, and how each part moves. The same nodes in the same order give the same bits. The call takes about as long as dm\_object\_prepare for all of its nodes, and uses dm\_jobs. It warns once where the answer is worse than it could be. Errors, whose messages name the node: NOT\_FINITE, INDEX\_OUT\_OF\_RANGE, DEGENERATE\_MESH, TOO\_LARGE, CANCELLED; INVALID\_ARGUMENT also when parents or followers form a circle, a name is not UTF-8, or no node has a mesh. \[any-thread\]
     pub fn dm_asset_create(context: *mut dm_context, desc: *const dm_asset_desc, out_asset: *mut dm_asset) -> dm_result;
-    /// Objects made of it stay. \[exclusive object\]
+    /// Destroys an asset. Objects made of it stay. \[exclusive object\]
     pub fn dm_asset_destroy(context: *mut dm_context, asset: dm_asset) -> dm_result;
-    /// out\_info-\>struct\_size must be set. \[any-thread\]
+    /// Writes counts and warnings of an asset. out\_info-\>struct\_size must be set. \[any-thread\]
     pub fn dm_asset_get_info(context: *mut dm_context, asset: dm_asset, out_info: *mut dm_asset_info) -> dm_result;
-    /// Part by index 0 .. part\_count-1. out\_part-\>struct\_size must be set. \[any-thread\]
+    /// Writes the part at an index, 0 to part\_count - 1. out\_part-\>struct\_size must be set. \[any-thread\]
     pub fn dm_asset_get_part(context: *mut dm_context, asset: dm_asset, index: u32, out_part: *mut dm_asset_part) -> dm_result;
-    /// How a part moves, asset frame; of one that stays, how it would. out\_joint-\>struct\_size must be set. \[any-thread\]
+    /// Writes the joint of a part, in the asset frame. For a part that stays, it is the joint by which it would move. out\_joint-\>struct\_size must be set. \[any-thread\]
     pub fn dm_asset_get_joint(context: *mut dm_context, asset: dm_asset, index: u32, out_joint: *mut dm_joint) -> dm_result;
-    /// The nodes of a part, rising: dm\_asset\_part.node\_count of them. BUFFER\_TOO\_SMALL when capacity is less. \[any-thread\]
+    /// Writes the indices of a part's nodes, rising: dm\_asset\_part.node\_count of them. Errors: BUFFER\_TOO\_SMALL when capacity is less. \[any-thread\]
     pub fn dm_asset_get_part_nodes(context: *mut dm_context, asset: dm_asset, index: u32, out_nodes: *mut u32, capacity: u32) -> dm_result;
-    /// The part of each node, DM\_ASSET\_NO\_PART for those of the body: dm\_asset\_info.node\_count numbers. BUFFER\_TOO\_SMALL when capacity is less. \[any-thread\]
+    /// Writes the index of the part of each node, or DM\_ASSET\_NO\_PART for nodes of the body: dm\_asset\_info.node\_count numbers. Errors: BUFFER\_TOO\_SMALL when capacity is less. \[any-thread\]
     pub fn dm_asset_get_node_parts(context: *mut dm_context, asset: dm_asset, out_parts: *mut u32, capacity: u32) -> dm_result;
-    /// Makes a prepared object of the parts that move or are free, carried by each other as in the asset; all else is the body. Its triangles are those of the nodes that do not follow others, node after node. Errors: EMPTY\_MASK when nothing moves. \[any-thread\]
+    /// Makes a prepared object of the parts that move or are free. They carry each other as in the asset, and all else is the body. The object has the triangles of the nodes that do not follow others, node after node. Errors: EMPTY\_MASK when nothing moves. \[any-thread\]
     pub fn dm_asset_make_object(context: *mut dm_context, asset: dm_asset, out_object: *mut dm_object) -> dm_result;
-    /// Pose of a joint at a value, in the frame of the joint. The axis may have any length, here and in the functions below. \[frame\]
+    /// Writes the pose of a joint at a value, from rest, in the frame of the joint. The axis may have any length, here and in the functions below. \[frame\]
     pub fn dm_joint_pose(joint: *const dm_joint, value: f32, out_pose: *mut dm_pose) -> dm_result;
-    /// Inverse of dm\_joint\_pose: the value at which the joint comes nearest to a pose (from rest), and how far off the joint the pose is: the angle between both, rad, and the distance of the joint's origin under both, host units. Of values a turn apart: inside the limits, else nearest to 0; of a screw, by its advance. Both errors may be NULL. NOT\_FINITE when an answer is beyond a float. \[frame\]
+    /// Inverts dm\_joint\_pose: writes the value at which the joint comes nearest to a pose. out\_angle\_error gets the angle between both poses, rad. out\_distance\_error gets the distance of the joint's origin under both, host units. Both may be NULL. Of values one turn apart, the answer is the one inside the limits, or else the one nearest to 0; for a screw, its advance decides. Errors: NOT\_FINITE when an answer is beyond a float's range. \[frame\]
     pub fn dm_joint_value(joint: *const dm_joint, pose: *const dm_pose, out_value: *mut f32, out_angle_error: *mut f32, out_distance_error: *mut f32) -> dm_result;
-    /// The joint value at a share of the way from rest to the open end, the limit that is farther from rest: 0 is rest, 1 open, 0.1 ajar. INVALID\_ARGUMENT for a joint without limits. \[frame\]
+    /// Writes the joint value at a share of the way from rest to the open end, which is the limit farther from rest: 0 is rest, 1 is open, 0.1 is ajar. Errors: INVALID\_ARGUMENT for a joint without limits. \[frame\]
     pub fn dm_joint_value_at(joint: *const dm_joint, share: f32, out_value: *mut f32) -> dm_result;
-    /// The joint as a constraint of a physics engine; out\_frame-\>struct\_size must be set. \[frame\]
+    /// Writes the joint as a constraint of a physics engine. out\_frame-\>struct\_size must be set. \[frame\]
     pub fn dm_joint_get_frame(joint: *const dm_joint, out_frame: *mut dm_joint_frame) -> dm_result;
-    /// Carries a joint over into the frame of an instance scaled by (x, y, z), as dm\_drag\_begin does: the line through the scaled points; limits of slides and the pitch in scaled units, angles as they are. out\_joint-\>struct\_size must be set; it may be \`joint\`. Zeros = 1. \[frame\]
+    /// Converts a joint to the frame of an instance that is scaled by (x, y, z), as dm\_drag\_begin does. The axis is the line through the scaled points. Limits of slides and the pitch are in scaled units; angles stay as they are. A zero counts as 1. out\_joint-\>struct\_size must be set; it may be \`joint\`. \[frame\]
     pub fn dm_joint_scale(joint: *const dm_joint, scale: dm_vec3, out_joint: *mut dm_joint) -> dm_result;
-    /// The DQ-VAE's motion for a drag, projected exactly onto the joint in force; a fixed part's motion is rest. Errors: NO\_MODEL, ZERO\_DRAG, DRAG\_OFF\_PART. \[any-thread\]
+    /// Generates the DQ-VAE's motion for a drag, projected exactly onto the joint in force. The motion of a fixed part stays at rest. Errors: NO\_MODEL, ZERO\_DRAG, DRAG\_OFF\_PART. \[any-thread\]
     pub fn dm_motion_generate(context: *mut dm_context, object: dm_object, desc: *const dm_motion_desc, out_motion: *mut dm_motion) -> dm_result;
-    /// Pose at t in \[0, 1\] (clamped), 0 = rest; between key poses along the joint's own screw. NULL value is allowed. \[frame\]
+    /// Writes pose and joint value of a motion at t, which is clamped to \[0, 1\]; 0 is rest. Between key poses the part follows the joint's own screw. out\_value may be NULL. \[frame\]
     pub fn dm_motion_sample(context: *mut dm_context, motion: dm_motion, t: f32, out_pose: *mut dm_pose, out_value: *mut f32) -> dm_result;
-    /// The DM\_MOTION\_FRAMES key poses, and (when not NULL) their joint values. \[frame\]
+    /// Writes the DM\_MOTION\_FRAMES key poses and their joint values. out\_values may be NULL. \[frame\]
     pub fn dm_motion_get_frames(context: *mut dm_context, motion: dm_motion, out_poses: *mut dm_pose, out_values: *mut f32) -> dm_result;
     /// Destroys a motion that no other thread samples. \[any-thread\]
     pub fn dm_motion_destroy(context: *mut dm_context, motion: dm_motion) -> dm_result;
-    /// The player grabs a part. Where the library found the joint, a pull tells more about it: the drag holds the part's other hypotheses, and likely joints beyond them, and follows the one that explains the pull best, and limits that were estimated yield when the pull goes on beyond them. docs/feel.md. A grab point or value that can't be meant (other units, degrees) gets a warning. \[any-thread\]
+    /// Starts a drag: the player grabs a part. Where the library found the joint, the pull is more evidence. The drag holds the part's other hypotheses and likely joints beyond them, and follows the one that explains the pull best. Limits that were estimated give when the pull goes on beyond them. docs/feel.md describes how. The call warns of a grab point or value in other units than expected (millimetres, degrees). \[any-thread\]
     pub fn dm_drag_begin(context: *mut dm_context, desc: *const dm_drag_desc, out_drag: *mut dm_drag) -> dm_result;
-    /// The grabbed point follows the pointer ray (object frame; scaled with dm\_drag\_desc.scale) as closely as its joint allows; dt in seconds, from -1e-4 to 0 taken as 0: a clock's rounding. Pass first the ray that grabbed the part: by how much it misses the grab point (at most 0.032 rad) is kept for the whole drag, so that the part does not move before the pointer does. After dm\_drag\_release it moves by itself, and ray may be NULL. out\_state-\>struct\_size must be set. \[frame\]
+    /// Advances a drag by dt seconds. The grabbed point follows the pointer's ray (object frame, scaled with dm\_drag\_desc.scale) as closely as the joint allows. Pass the ray that grabbed the part first: by how much it misses the grab point, at most 0.032 rad, is kept for the whole drag, so that the part does not move before the pointer does. A dt from -1e-4 to 0, as clocks round it, counts as 0. After dm\_drag\_release the part moves by itself, and ray may be NULL. out\_state-\>struct\_size must be set. \[frame\]
     pub fn dm_drag_update(context: *mut dm_context, drag: dm_drag, ray: *const dm_ray, dt: f32, out_state: *mut dm_drag_state) -> dm_result;
-    /// dm\_drag\_update for all that a dm\_drag\_input holds. A released part needs no hand. Errors: INVALID\_ARGUMENT, also for handles, bounds and DM\_INPUT\_LOCKED of a drag without dm\_drag\_desc.rules. \[frame\]
+    /// Does what dm\_drag\_update does, with everything that a dm\_drag\_input holds. A released part needs no hand. Errors: INVALID\_ARGUMENT, also for handles, bounds and DM\_INPUT\_LOCKED of a drag without dm\_drag\_desc.rules. \[frame\]
     pub fn dm_drag_step(context: *mut dm_context, drag: dm_drag, input: *const dm_drag_input, dt: f32, out_state: *mut dm_drag_state) -> dm_result;
-    /// After an update with DM\_INPUT\_ASK, whose out\_state is what is about to be: takes another value, inside the limits and bounds of that update. Events are then those of the value taken. Without this call, the update stands. Errors: INVALID\_ARGUMENT when the last update did not ask. \[frame\]
+    /// Replaces the value that an update with DM\_INPUT\_ASK has proposed in its out\_state. The value is brought inside the limits and bounds of that update, and the events become those of the value taken. Without this call, the update stands. Errors: INVALID\_ARGUMENT when the last update did not ask. \[frame\]
     pub fn dm_drag_take(context: *mut dm_context, drag: dm_drag, value: f32, out_state: *mut dm_drag_state) -> dm_result;
-    /// The player lets go, and the part does what was meant: it swings open, falls shut, springs back or stays. The DQ-VAE paces it where the object has its weights and desc.flags doesn't forbid it. dm\_drag\_update moves it, dm\_drag\_end ends it at any time; a second release changes its mind or replays. desc NULL = all defaults; out\_plan may be NULL, else its struct\_size must be set. Microseconds to a millisecond. One caller at a time per drag. \[any-thread\]
+    /// Releases the part, which then does what the player meant: it swings open, falls shut, springs back or stays. The DQ-VAE paces it where the object has its weights, unless desc.flags forbids it. dm\_drag\_update moves it, and dm\_drag\_end may end the drag at any time; another release replaces this one, or replays. desc NULL stands for all defaults. out\_plan may be NULL, else its struct\_size must be set. The call takes up to a millisecond. One caller at a time per drag. \[any-thread\]
     pub fn dm_drag_release(context: *mut dm_context, drag: dm_drag, desc: *const dm_release_desc, out_plan: *mut dm_release_plan) -> dm_result;
-    /// Lets go. out\_state (may be NULL, else its struct\_size must be set) gets what dm\_drag\_get\_part\_state gives. \[any-thread\]
+    /// Ends a drag and destroys it. out\_state gets what dm\_drag\_get\_part\_state gives; it may be NULL, else its struct\_size must be set. \[any-thread\]
     pub fn dm_drag_end(context: *mut dm_context, drag: dm_drag, out_state: *mut dm_part_state) -> dm_result;
-    /// Where the part stands and the joint that the drag follows now, with the limits and the confidence that the pull so far has left it. The same piece taken back by dm\_drag\_desc.state goes on where this one is. out\_state-\>struct\_size must be set. \[frame\]
+    /// Writes where the part stands, and the joint that the drag follows now, with the limits and the confidence that the pull has left it. A drag that begins with this state as dm\_drag\_desc.state goes on where this one is. out\_state-\>struct\_size must be set. \[frame\]
     pub fn dm_drag_get_part_state(context: *mut dm_context, drag: dm_drag, out_state: *mut dm_part_state) -> dm_result;
-    /// Bytes that dm\_drag\_save writes: the same for every drag of this library, DM\_DRAG\_SNAPSHOT\_MAX at most. \[any-thread\]
+    /// Returns how many bytes dm\_drag\_save writes. The number is the same for every drag of this library, and DM\_DRAG\_SNAPSHOT\_MAX at most. \[any-thread\]
     pub fn dm_drag_snapshot_size() -> usize;
-    /// Writes the whole state of a drag, for rollback: after dm\_drag\_restore the same calls give the same bits. For this very version of the library on this kind of machine; what lasts is dm\_part\_state. BUFFER\_TOO\_SMALL when capacity is less than dm\_drag\_snapshot\_size. \[frame\]
+    /// Writes the whole state of a drag, for rollback. After dm\_drag\_restore, the same calls give the same bits. Only this very version of the library on this kind of machine can read it; dm\_part\_state is what lasts. Errors: BUFFER\_TOO\_SMALL when capacity is less than dm\_drag\_snapshot\_size. \[frame\]
     pub fn dm_drag_save(context: *mut dm_context, drag: dm_drag, buffer: *mut c_void, capacity: usize) -> dm_result;
-    /// Puts a drag back into a saved state, of this or any other drag of the same part. Errors leave it as it is: BAD\_DATA, VERSION, and INVALID\_ARGUMENT when the state is of another part. \[frame\]
+    /// Restores a state that dm\_drag\_save has written, of this or any other drag of the same part. An error leaves the drag as it is: BAD\_DATA, VERSION, or INVALID\_ARGUMENT when the state belongs to another part. \[frame\]
     pub fn dm_drag_restore(context: *mut dm_context, drag: dm_drag, data: *const c_void, size: usize) -> dm_result;
-    /// out = a after b: x -\> a(b(x)). \[frame\]
+    /// Writes the pose that applies b first and then a: x -\> a(b(x)). out\_pose may be \`a\` or \`b\`. \[frame\]
     pub fn dm_pose_multiply(a: *const dm_pose, b: *const dm_pose, out_pose: *mut dm_pose);
-    /// The motion back: what it does to the points that \`pose\` has moved undoes it. out\_pose may be \`pose\`. \[frame\]
+    /// Writes the inverse of a pose, which takes the points that the pose has moved back. out\_pose may be \`pose\`. \[frame\]
     pub fn dm_pose_inverse(pose: *const dm_pose, out_pose: *mut dm_pose);
-    /// The pose that rotates, then translates, as engines keep the place of a node. rotation: quaternion x, y, z, w of any length. Errors: INVALID\_ARGUMENT when it has no length; NOT\_FINITE. \[frame\]
+    /// Writes the pose that rotates first and then translates, as engines keep the place of a node. rotation: a quaternion x, y, z, w of any length. Errors: INVALID\_ARGUMENT when it has no length; NOT\_FINITE. \[frame\]
     pub fn dm_pose_from_rotation(rotation: *const f32, translation: dm_vec3, out_pose: *mut dm_pose) -> dm_result;
-    /// 4x4, column-major, column vectors (OpenGL, glTF, Unity's Matrix4x4 memory order). \[frame\]
+    /// Writes a pose as a 4x4 matrix, column-major for column vectors (the memory order of OpenGL, glTF and Unity's Matrix4x4). \[frame\]
     pub fn dm_pose_to_matrix(pose: *const dm_pose, out_matrix: *mut f32);
-    /// Moves \`count\` float32 points; strides in bytes, 0 = packed. src may equal dst. \[frame\]
+    /// Moves \`count\` float32 points by a pose. Strides are in bytes, and 0 means packed. src may equal dst. \[frame\]
     pub fn dm_pose_apply_points(pose: *const dm_pose, src: *const f32, src_stride: usize, dst: *mut f32, dst_stride: usize, count: usize);
-    /// Ray through pixel (x, y), (0, 0) the top left corner of the viewport; direction is unit. Errors: INVALID\_ARGUMENT when the camera has no view; NOT\_FINITE when the ray's origin is beyond a float's range. \[frame\]
+    /// Writes the ray through pixel (x, y) in the host's world frame; (0, 0) is the top left corner of the viewport. Its direction is a unit vector. Errors: INVALID\_ARGUMENT when the camera has no view; NOT\_FINITE when the ray's origin is beyond a float's range. \[frame\]
     pub fn dm_camera_ray(context: *const dm_context, camera: *const dm_camera, x: f32, y: f32, out_ray: *mut dm_ray) -> dm_result;
-    /// Errors: UNSUPPORTED when the context picks nothing (DM\_PICK\_NONE, or nothing was found). \[any-thread\]
+    /// Creates an empty scene. Errors: UNSUPPORTED when the context picks nothing (DM\_PICK\_NONE, or no picker was found). \[any-thread\]
     pub fn dm_scene_create(context: *mut dm_context, desc: *const dm_scene_desc, out_scene: *mut dm_scene) -> dm_result;
-    /// Destroys it with its instances; their objects stay. \[exclusive object\]
+    /// Destroys a scene with its instances. Their objects stay. \[exclusive object\]
     pub fn dm_scene_destroy(context: *mut dm_context, scene: dm_scene) -> dm_result;
-    /// Places a prepared object; placement NULL = identity (object frame to world). Instances are small numbers from 0 on, used again after a removal. Errors: UNSUPPORTED when the object can't be picked: it kept no triangles, or is smaller than 1e-6 or larger than 1e12 host units. Takes effect with dm\_scene\_commit. \[exclusive object\]
+    /// Places a prepared object in a scene, from the next dm\_scene\_commit on. placement: pose from the object frame to the world; NULL = identity. out\_instance gets a small number from 0 on, which may be used again after a removal. Errors: UNSUPPORTED when the object cannot be picked, because it kept no triangles, or is smaller than 1e-6 or larger than 1e12 host units. \[exclusive object\]
     pub fn dm_scene_add(context: *mut dm_context, scene: dm_scene, object: dm_object, placement: *const dm_pose, out_instance: *mut u32) -> dm_result;
-    /// Moves a part of an instance to \`pose\` (from rest, object frame; the pose of the parts that carry it included), or with part\_id 0 the whole instance to a new placement. Takes effect with dm\_scene\_commit. \[frame\]
+    /// Moves a part of an instance to a pose from rest, in the object frame, which includes the pose of the parts that carry it. With part\_id 0 it moves the whole instance to a new placement. The move takes effect with dm\_scene\_commit. \[frame\]
     pub fn dm_scene_move(context: *mut dm_context, scene: dm_scene, instance: u32, part_id: u32, pose: *const dm_pose) -> dm_result;
-    /// Takes an instance away, at once. \[exclusive object\]
+    /// Removes an instance from a scene, at once. \[exclusive object\]
     pub fn dm_scene_remove(context: *mut dm_context, scene: dm_scene, instance: u32) -> dm_result;
-    /// Makes the moves visible to picks. Once a frame, after them. \[frame\]
+    /// Makes all moves since the last commit visible to picks. Call it once a frame, after the moves. \[frame\]
     pub fn dm_scene_commit(context: *mut dm_context, scene: dm_scene) -> dm_result;
-    /// Nearest hit of a ray. DM\_OK with out\_hit-\>object 0 when nothing is hit. Several threads may pick at once while none moves or commits. out\_hit-\>struct\_size must be set. \[frame\]
+    /// Finds the nearest hit of a ray. The answer is DM\_OK with out\_hit-\>object 0 when nothing is hit. Several threads may pick at once while none moves or commits. out\_hit-\>struct\_size must be set. \[frame\]
     pub fn dm_scene_pick(context: *mut dm_context, scene: dm_scene, ray: *const dm_ray, out_hit: *mut dm_hit) -> dm_result;
 }
-/// The same function, by the name for new code; dm\_core\_1 and the exports have dm\_drag\_step.
+/// dm\_drag\_update\_input is the name of dm\_drag\_step for new code. dm\_core\_1 and the exports have dm\_drag\_step.
 pub use self::dm_drag_step as dm_drag_update_input;
-/// The same function, by the name for new code; dm\_core\_1 and the exports have dm\_drag\_take.
+/// dm\_drag\_override is the name of dm\_drag\_take for new code. dm\_core\_1 and the exports have dm\_drag\_take.
 pub use self::dm_drag_take as dm_drag_override;
 
 #[cfg(feature = "gltf")]
 #[link(name = "dragmesh_gltf")]
 extern "C" {
-    /// Version of the libdragmesh\_gltf in use, as DM\_VERSION.
+    /// Returns the version of the libdragmesh\_gltf in use, as DM\_VERSION has it.
     pub fn dm_gltf_version() -> u32;
-    /// Reads triangles, strips and fans, also quantised ones (KHR\_mesh\_quantization) and, where the build has their libraries, compressed ones (EXT\_meshopt\_compression, KHR\_meshopt\_compression, KHR\_draco\_mesh\_compression). Another required extension that may change geometry: UNSUPPORTED, by name. Morph targets are applied as the file's weights say. An instance of EXT\_mesh\_gpu\_instancing is a node of its own, behind those of the file, below the one that has the extension. Left out with a warning: triangles whose vertices do not exist or are not finite, primitives that are broken, points, lines, nodes whose scale is zero. Left out in silence, because they are no body: nodes and meshes named UCX\_\*, UBX\_\*, UCP\_\*, USP\_\*, \*\_collider, \*-colonly, \*-convcolonly; coarser levels of detail (MSFT\_lod, or siblings named \*\_LOD0, \*\_LOD1); invisible nodes (KHR\_node\_visibility) and materials of alpha 0. When nothing is left, the error is the first reason: BAD\_DATA, NOT\_FINITE, INDEX\_OUT\_OF\_RANGE, DEGENERATE\_MESH. Others: NOT\_FOUND (a file beside it), VERSION, TOO\_LARGE (it would take more memory than 64 MB and 64 bytes a byte of the file, 256 a byte of a Draco stream). A call logs one warning, which counts what is left out and quotes the first three.
+    /// Opens the bytes of a .glb or .gltf. Reads triangles, strips and fans, also quantised ones (KHR\_mesh\_quantization) and, where the build has their libraries, compressed ones (EXT\_meshopt\_compression, KHR\_meshopt\_compression, KHR\_draco\_mesh\_compression). Another required extension that may change geometry is refused as UNSUPPORTED, by name. Morph targets are applied as the file's weights say. An instance of EXT\_mesh\_gpu\_instancing becomes a node of its own, behind those of the file, below the node that has the extension. These are left out with a warning: triangles whose vertices do not exist or are not finite, broken primitives, points, lines, and nodes whose scale is zero. These are left out in silence, because they are no body: nodes and meshes named UCX\_\*, UBX\_\*, UCP\_\*, USP\_\*, \*\_collider, \*-colonly, \*-convcolonly; coarser levels of detail (MSFT\_lod, or siblings named \*\_LOD0, \*\_LOD1); invisible nodes (KHR\_node\_visibility); and materials of alpha 0. A call logs one warning, which counts what is left out and quotes the first three. Errors: when nothing is left, the first reason: BAD\_DATA, NOT\_FINITE, INDEX\_OUT\_OF\_RANGE or DEGENERATE\_MESH; NOT\_FOUND for a file beside it; VERSION; TOO\_LARGE when it would take more memory than 64 MB and 64 bytes a byte of the file, or 256 a byte of a Draco stream.
     pub fn dm_gltf_open(desc: *const dm_gltf_desc, out_gltf: *mut *mut dm_gltf) -> dm_result;
-    /// The same for a file and those beside it, which are read from its folder and from nowhere else; \`desc\` leaves data, size and files at 0. NOT\_FOUND: there is no such regular file.
+    /// Opens a file and those beside it, which are read from its folder and from nowhere else. \`desc\` leaves data, size and files at 0. Errors: those of dm\_gltf\_open; NOT\_FOUND when there is no such regular file.
     pub fn dm_gltf_open_file(path: *const c_char, desc: *const dm_gltf_desc, out_gltf: *mut *mut dm_gltf) -> dm_result;
+    /// Closes a file and frees all that points into it. NULL does nothing.
     pub fn dm_gltf_close(gltf: *mut dm_gltf);
+    /// Returns how many nodes there are, and 0 for NULL.
     pub fn dm_gltf_node_count(gltf: *const dm_gltf) -> u32;
+    /// Writes the node at an index. Errors: INVALID\_ARGUMENT, NOT\_FOUND.
     pub fn dm_gltf_get_node(gltf: *const dm_gltf, index: u32, out_node: *mut dm_gltf_node) -> dm_result;
-    /// positions float32, indices uint32; no part ids. Points into the dm\_gltf.
+    /// Writes the merged mesh, which points into the dm\_gltf: positions as float32, indices as uint32, no part ids.
     pub fn dm_gltf_get_mesh(gltf: *const dm_gltf, out_mesh: *mut dm_mesh_desc) -> dm_result;
-    /// Where the merged mesh's origin is in the scene: 0, 0, 0 but for objects more than 256 times their size away, whose shape floats could not hold there.
+    /// Writes where the merged mesh's origin is in the scene. It is 0, 0, 0 unless the object is more than 256 times its size away, where floats could not hold its shape.
     pub fn dm_gltf_get_origin(gltf: *const dm_gltf, out_origin: *mut f64);
+    /// Returns how many surfaces there are, and 0 for NULL.
     pub fn dm_gltf_surface_count(gltf: *const dm_gltf) -> u32;
-    /// An image that can't be had is left out with a warning. Errors: NOT\_FOUND, OUT\_OF\_MEMORY.
+    /// Writes the surface at an index. An image that cannot be read is left out with a warning. Errors: NOT\_FOUND, OUT\_OF\_MEMORY.
     pub fn dm_gltf_get_surface(gltf: *mut dm_gltf, index: u32, out_surface: *mut dm_gltf_surface) -> dm_result;
-    /// Writes where the corners of a surface lie in its base colour texture: u and v of each, three corners a face, in the order of the merged mesh; (0, 0) is the image's top left corner. Scaled, turned and shifted as the material says (KHR\_texture\_transform). corner\_count: three times face\_count. Errors: NOT\_FOUND (no texture, or no coordinates), BUFFER\_TOO\_SMALL, BAD\_DATA, OUT\_OF\_MEMORY.
+    /// Writes where the corners of a surface lie in its base colour texture: u and v of each, three corners a face, in the order of the merged mesh. (0, 0) is the image's top left corner. They are scaled, turned and shifted as the material says (KHR\_texture\_transform). corner\_count: three times face\_count. Errors: NOT\_FOUND when there is no texture, or there are no coordinates; BUFFER\_TOO\_SMALL, BAD\_DATA, OUT\_OF\_MEMORY.
     pub fn dm_gltf_get_texture_coordinates(gltf: *mut dm_gltf, index: u32, out_uv: *mut f32, corner_count: u64) -> dm_result;
-    /// Sets \`value\` for every face of the named nodes or bones and of all that they carry (a name that several nodes share means all of them; that of a node with a skin means all its bones; "#12" means node 12 of the file, for files without names). Errors: NOT\_FOUND, naming the first missing name and some that exist.
+    /// Sets \`value\` for every face of the named nodes or bones and of all that they carry. A name that several nodes share means all of them. The name of a node with a skin means all its bones. "#12" means node 12 of the file, for files without names. Errors: NOT\_FOUND, whose message has the first missing name and some that exist.
     pub fn dm_gltf_mark_faces(gltf: *const dm_gltf, names: *const *const c_char, name_count: u32, value: u8, inout_face_ids: *mut u8, face_count: u64) -> dm_result;
-    /// What the file says of a node, as dm\_part\_desc takes it: the names of those that carry it, outermost first, of its mesh and its own, joined by '/', and its origin and axes in the merged mesh's frame. name: as for dm\_gltf\_mark\_faces; of several nodes, the first. out\_label: label\_size bytes, where not all names fit the outer ones are left out; may be NULL. out\_pivot may be NULL. Errors: NOT\_FOUND.
+    /// Writes what the file says of a node, as dm\_part\_desc takes it. The label has the names of the nodes that carry it, outermost first, of its mesh and its own, joined by '/'. The pivot has its origin and axes in the merged mesh's frame. name: as for dm\_gltf\_mark\_faces; of several nodes, the first counts. out\_label: label\_size bytes, from which the outer names are left out where not all fit; may be NULL. out\_pivot may be NULL. Errors: NOT\_FOUND.
     pub fn dm_gltf_get_hints(gltf: *const dm_gltf, name: *const c_char, out_label: *mut c_char, label_size: usize, out_pivot: *mut dm_pivot) -> dm_result;
-    /// The scene as dm\_asset\_create takes it: all nodes that have triangles or carry some, and those of which the merged mesh has none because they are no body. First come the dm\_gltf\_nodes in their order, then groups without triangles, then what is hidden, a collider or a coarser level of detail (DM\_ASSET\_NODE\_FOLLOWS). Meshes are in the merged mesh's frame, so that transforms are NULL. Clips are the file's animations, each against the node above it. Joints are those of the nodes' \`extras\` and of KHR\_physics\_rigid\_bodies (docs/gltf.md). flags: 0. Points into the dm\_gltf. Errors: OUT\_OF\_MEMORY, TOO\_LARGE.
+    /// Writes the scene as dm\_asset\_create takes it: all nodes that have triangles or carry some, and nodes that the merged mesh leaves out because they are no body. First come the dm\_gltf\_nodes in their order, then groups without triangles, then what is hidden, a collider or a coarser level of detail (DM\_ASSET\_NODE\_FOLLOWS). Meshes are in the merged mesh's frame, so that transforms are NULL. Clips are the file's animations, each relative to the node above it. Joints are those of the nodes' \`extras\` and of KHR\_physics\_rigid\_bodies (docs/gltf.md). flags: 0. The list points into the dm\_gltf. Errors: OUT\_OF\_MEMORY, TOO\_LARGE.
     pub fn dm_gltf_get_asset(gltf: *mut dm_gltf, flags: u32, out_nodes: *const *const dm_asset_node, out_count: *mut u32) -> dm_result;
-    /// The index in the file's nodes array of a node of that list. Errors: those, NOT\_FOUND.
+    /// Writes the index in the file's nodes array of a node of that list. Errors: those of dm\_gltf\_get\_asset; NOT\_FOUND.
     pub fn dm_gltf_get_asset_node(gltf: *mut dm_gltf, index: u32, out_node: *mut u32) -> dm_result;
-    /// 1 when pivots tell nothing: the file has several dm\_gltf\_nodes, and the origins of all follow one rule, as exporters leave them: they are one point, or lie at the same place of each node's box (middle, lowest corner, middle of a face …). 0: some may tell, or gltf is NULL.
+    /// Returns 1 when pivots say nothing: the file has several dm\_gltf\_nodes, and the origins of all follow one rule, as exporters leave them. They are one point, or lie at the same place of each node's box (middle, lowest corner, middle of a face …). Returns 0 when some may say something, or gltf is NULL.
     pub fn dm_gltf_pivots_are_lost(gltf: *const dm_gltf) -> i32;
-    /// Writes what is known of where a node's pivot lies (DM\_PIVOT\_\*), for dm\_part\_desc.pivot\_kind. A rule holds where the node with the largest surface and more than half of all follow it: DM\_PIVOT\_DEFAULT is the answer for what follows it, DM\_PIVOT\_SET for the others. DM\_PIVOT\_UNKNOWN: no rule holds, or the node has no triangles. name: as for dm\_gltf\_get\_hints. Errors: NOT\_FOUND.
+    /// Writes how a node's pivot came to lie where it is (DM\_PIVOT\_\*), for dm\_part\_desc.pivot\_kind. A rule holds where the node with the largest surface and more than half of all nodes follow it. The answer is then DM\_PIVOT\_DEFAULT for a node that follows it and DM\_PIVOT\_SET for the others. It is DM\_PIVOT\_UNKNOWN when no rule holds, or the node has no triangles. name: as for dm\_gltf\_get\_hints. Errors: NOT\_FOUND.
     pub fn dm_gltf_get_pivot_kind(gltf: *const dm_gltf, name: *const c_char, out_kind: *mut i32) -> dm_result;
-    /// 1 when triangles of the file are not in the merged mesh: a triangle, a primitive or a node could not be read, or only one of its instances was. Warnings of dm\_gltf\_open name them. Pass DM\_PREPARE\_MESH\_INCOMPLETE then. 0: all are there, or gltf is NULL.
+    /// Returns 1 when triangles of the file are missing in the merged mesh, because a triangle, a primitive or a node could not be read, or only one of its instances was. Warnings of dm\_gltf\_open name them. Pass DM\_PREPARE\_MESH\_INCOMPLETE then. Returns 0 when all are there, or gltf is NULL.
     pub fn dm_gltf_left_out(gltf: *const dm_gltf) -> i32;
-    /// Reads a part mask (.npy or JSON array, one integer a vertex or one a face, in the order of the file where bones sort the merged mesh otherwise). mask\_value NULL: non-zero is moving. out\_part\_ids: as many bytes as max(vertex\_count, face\_count). out\_ambiguous (may be NULL): both lengths fit, and per vertex was taken. Errors: BAD\_DATA, INVALID\_ARGUMENT (neither length fits), EMPTY\_MASK, FULL\_MASK.
+    /// Reads a part mask: a .npy or JSON array with one integer a vertex or a face, in the order of the file where bones sort the merged mesh otherwise. mask\_value: the value of the part that moves; NULL = every value but 0. out\_part\_ids: as many bytes as max(vertex\_count, face\_count). out\_ambiguous: gets 1 when both lengths fit, and the integers were taken per vertex; may be NULL. Errors: BAD\_DATA; INVALID\_ARGUMENT when neither length fits; EMPTY\_MASK; FULL\_MASK.
     pub fn dm_gltf_read_mask(gltf: *const dm_gltf, data: *const c_void, size: usize, mask_value: *const i64, out_part_ids: *mut u8, out_scope: *mut i32, out_ambiguous: *mut i32) -> dm_result;
-    /// Writes a .glb: the file's meshes and materials, with the tracks' faces split off into nodes of their own that a looping animation moves. Without tracks it adds no animation. The file's own animations stay as they are, and go on moving the nodes that they name. out\_data is released with dm\_gltf\_release\_bytes.
+    /// Writes a .glb with the file's meshes and materials. The tracks' faces are split off into nodes of their own, which a looping animation moves. Without tracks it adds no animation. The file's own animations stay as they are, and still move the nodes that they name. Release out\_data with dm\_gltf\_release\_bytes.
     pub fn dm_gltf_export(gltf: *const dm_gltf, tracks: *const dm_gltf_track, track_count: u32, out_data: *mut *mut c_void, out_size: *mut usize) -> dm_result;
+    /// Releases bytes of dm\_gltf\_export, with the allocator of the dm\_gltf.
     pub fn dm_gltf_release_bytes(gltf: *const dm_gltf, data: *mut c_void, size: usize);
-    /// Writes a static .glb with one identity node a part. allocator zeros = malloc/free; release out\_data with the same.
+    /// Writes a static .glb with one identity node a part. allocator: zeros = malloc/free; release out\_data with the same.
     pub fn dm_gltf_write(parts: *const dm_gltf_part, part_count: u32, allocator: *const dm_allocator, log: *const dm_log, out_data: *mut *mut c_void, out_size: *mut usize) -> dm_result;
-    /// Makes any text valid UTF-8, in place: a '?' for each piece that is no character, also for one that was cut off. Names and messages of this library are so already; hosts need it for what they write beside them. Returns the new length, never a longer one. NULL: 0.
+    /// Makes any text valid UTF-8, in place: it puts a '?' for each piece that is no character, also for one that was cut off. Names and messages of this library are valid already; hosts need it for what they write beside them. Returns the new length, which is never longer, and 0 for NULL.
     pub fn dm_gltf_mend_text(text: *mut c_char) -> usize;
-    /// Makes the files of all formats asked for, meshes that they share included, in memory. Parts that move are bodies, in metres and Z up, hung on what carries them; parts that stay, and fixed ones, are one with it. Bodies are called part\_N\_NAME, N the part's index + 1 and NAME what is legal of its first node's name; the body that stays is "body". Errors: those of the meshes, NOT\_FINITE, INVALID\_ARGUMENT (no format, parents in a circle), INDEX\_OUT\_OF\_RANGE, DEGENERATE\_MESH (no triangle), OUT\_OF\_MEMORY, STRUCT\_SIZE.
+    /// Makes the files of all formats asked for in memory, with the meshes that they share. Parts that move become bodies, in metres and Z up, hung on what carries them. Parts that stay, and fixed ones, are one with it. Bodies are called part\_N\_NAME, where N is the part's index + 1 and NAME what is legal of its first node's name; the body that stays is "body". Errors: those of the meshes, NOT\_FINITE, INVALID\_ARGUMENT (no format, parents in a circle), INDEX\_OUT\_OF\_RANGE, DEGENERATE\_MESH (no triangle), OUT\_OF\_MEMORY, STRUCT\_SIZE.
     pub fn dm_gltf_rig_make(desc: *const dm_gltf_rig_desc, out_rig: *mut *mut dm_gltf_rig) -> dm_result;
     /// Frees the files. NULL does nothing.
     pub fn dm_gltf_rig_destroy(rig: *mut dm_gltf_rig);
-    /// How many files there are. NULL: 0.
+    /// Returns how many files there are, and 0 for NULL.
     pub fn dm_gltf_rig_file_count(rig: *const dm_gltf_rig) -> u32;
-    /// Meshes come before the files that refer to them. Errors: INVALID\_ARGUMENT, NOT\_FOUND.
+    /// Writes the path and the bytes of a file. Meshes come before the files that refer to them. Errors: INVALID\_ARGUMENT, NOT\_FOUND.
     pub fn dm_gltf_rig_get_file(rig: *const dm_gltf_rig, index: u32, out_file: *mut dm_gltf_rig_file) -> dm_result;
 }
 
