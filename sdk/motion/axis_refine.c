@@ -81,8 +81,8 @@ static uint32_t highest_priority(const dmi_axis_refiner* refiner, uint32_t count
     return found;
 }
 
-static void choose(dmi_axis_refiner* refiner, const dmi_grasp* grasp, const dmi_joint_hypothesis* hypotheses,
-                   uint32_t count, uint32_t best) {
+static void choose_hypothesis(dmi_axis_refiner* refiner, const dmi_grasp* grasp, const dmi_joint_hypothesis* hypotheses,
+                              uint32_t count, uint32_t best) {
     const bool active = refiner->rounds++ % ACTIVE_EVERY == 0 && dmi_joint_turns(hypotheses[best].joint.type);
     refiner->hypothesis = active ? best : highest_priority(refiner, count, best);
     refiner->shifted = false;
@@ -122,7 +122,7 @@ static bool adopt_shift(const dmi_axis_refiner* refiner, const dmi_grasp* grasp,
 
 uint32_t dmi_axis_refiner_step(dmi_axis_refiner* refiner, const dmi_grasp* grasp, dmi_joint_hypothesis* hypotheses,
                                uint32_t count, uint32_t best) {
-    if (refiner->hypothesis == DMI_NO_HYPOTHESIS) choose(refiner, grasp, hypotheses, count, best);
+    if (refiner->hypothesis == DMI_NO_HYPOTHESIS) choose_hypothesis(refiner, grasp, hypotheses, count, best);
     if (refiner->hypothesis == DMI_NO_HYPOTHESIS) return DMI_NO_HYPOTHESIS;
     dmi_joint_hypothesis* hypothesis = &hypotheses[refiner->hypothesis];
     if (refiner->thinned != grasp->pull.thinned) start_pass(refiner, grasp, hypothesis);

@@ -183,7 +183,8 @@ static void sample_latent(const dmi_vae_output* distribution, uint32_t seed, flo
 }
 
 /* Decoder (§3.3.3): all frames at once; base poses go to out->raw. */
-static void decode(const dmi_dq_vae* vae, const dmi_kernels* kernels, uint32_t seed, scratch* s, dmi_vae_output* out) {
+static void decode_frames(const dmi_dq_vae* vae, const dmi_kernels* kernels, uint32_t seed, scratch* s,
+                          dmi_vae_output* out) {
     sample_latent(out, seed, s->inputs);
     memcpy(s->inputs + DMI_VAE_LATENT, s->context + F_JOINT, VAE_FEATURE * sizeof(float));
     dmi_linear_apply(&vae->condition, kernels, s->inputs, 1, 0, s->condition);
@@ -200,8 +201,8 @@ static void decode(const dmi_dq_vae* vae, const dmi_kernels* kernels, uint32_t s
 
 /* Physics correction (§3.3.3): adds to each base pose a residual under the joint, the identity, and rotation and
  * translation components that lie exactly on the axis. */
-static void correct(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dm_joint* joint, scratch* s,
-                    dmi_vae_output* out) {
+static void correct_poses(const dmi_dq_vae* vae, const dmi_kernels* kernels, const dm_joint* joint, scratch* s,
+                          dmi_vae_output* out) {
     const dmi_float3 axis = dmi_xyz(joint->axis);
     dmi_linear of_joint = vae->correction_joint, of_base = vae->correction_base;
     of_joint.bias = vae->correction_bias[type_index(joint)];
@@ -230,6 +231,6 @@ void dmi_dq_vae_forward(const dmi_dq_vae* vae, dmi_isa isa, const dmi_vae_object
     encode_local(vae, kernels, object, query, s);
     encode_intent(vae, kernels, query->joint.type == DM_JOINT_PRISMATIC, &features, s);
     encode_latent(vae, kernels, s, out_output);
-    decode(vae, kernels, query->seed, s, out_output);
-    correct(vae, kernels, &query->joint, s, out_output);
+    decode_frames(vae, kernels, query->seed, s, out_output);
+    correct_poses(vae, kernels, &query->joint, s, out_output);
 }

@@ -35,7 +35,7 @@ void dmi_drag_begin(dmi_drag* drag, const dm_joint* joint, const float grab_poin
 }
 
 /* Follows the plain pointer. Returns true when the joint has changed. */
-static bool follow(dmi_drag* drag, const dm_ray* ray, float dt) {
+static bool follow_pointer(dmi_drag* drag, const dm_ray* ray, float dt) {
     const float nearest = dmi_drag_nearest(drag, ray);
     dmi_drag_move_pointer(drag, nearest, dmi_drag_ray_motion(drag, ray), dt);
     dmi_drag_ask(drag);
@@ -46,7 +46,7 @@ static bool follow(dmi_drag* drag, const dm_ray* ray, float dt) {
 static void update_held(dmi_drag* drag, const dm_ray* ray, float dt) {
     float before = drag->target;
     dm_ray unit;
-    if (ray != NULL && dmi_drag_read_ray(drag, ray, &unit) && follow(drag, &unit, dt)) before = drag->target;
+    if (ray != NULL && dmi_drag_read_ray(drag, ray, &unit) && follow_pointer(drag, &unit, dt)) before = drag->target;
     drag->target = drag->asked;
     if (drag->rules.on) dmi_drag_hold_back(drag, before, dt);
     dmi_feel_follow(&drag->feel, &drag->joint, before, drag->target, dt, &drag->value, &drag->velocity);
@@ -106,7 +106,7 @@ static bool needs_aim(const dmi_drag* drag, const dm_drag_input* input) {
             drag->hands.bias != 0);
 }
 
-static void tell(dmi_drag* drag, const dm_drag_input* input) {
+static void read_constraints(dmi_drag* drag, const dm_drag_input* input) {
     if (input->lower < input->upper || input->flags & DM_INPUT_BOUNDS)
         drag->constraints.bounds = (dmi_bounds){input->lower, input->upper};
     drag->constraints.locked = (input->flags & DM_INPUT_LOCKED) != 0;
@@ -121,7 +121,7 @@ void dmi_drag_step(dmi_drag* drag, const dm_drag_input* input, float dt, dm_drag
     const dmi_event_state event_state = drag->event_state;
     const int32_t phase = drag->release.phase;
     const bool aims = needs_aim(drag, input);
-    tell(drag, input);
+    read_constraints(drag, input);
     begin_update(drag, time);
     if (aims) dmi_drag_aim(drag, input, time);
     finish_update(drag, !aims && input->hand.kind == DM_HAND_RAY ? &input->hand.ray : NULL, time, out_state);

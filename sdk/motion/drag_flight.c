@@ -29,7 +29,7 @@ static float time_to_strike(const dmi_flight* flight, approach to, float pull) {
     return to.distance > 0 ? 2 * to.distance / (to.speed + sqrtf(square)) : 0;
 }
 
-static void move(const dmi_flight* flight, float time, float* value, float* velocity) {
+static void move_freely(const dmi_flight* flight, float time, float* value, float* velocity) {
     if (flight->acceleration != 0) {
         *value += (*velocity + 0.5f * flight->acceleration * time) * time;
         *velocity += flight->acceleration * time;
@@ -41,17 +41,17 @@ static void move(const dmi_flight* flight, float time, float* value, float* velo
 }
 
 /* Returns whether a part that leaves a limit at this speed comes to rest there. */
-static bool settles(const dmi_flight* flight, int32_t side, float speed) {
+static bool settles_at_limit(const dmi_flight* flight, int32_t side, float speed) {
     const float range = flight->upper - flight->lower, pull = flight->acceleration * (float)side;
     if (flight->acceleration != 0) return pull > 0 && speed * speed < 2 * pull * SETTLED_SHARE * range;
     return speed * flight->time_constant < STANDING_SHARE * range;
 }
 
-static void strike(const dmi_flight* flight, int32_t side, dmi_landing* landing, float* value, float* velocity) {
+static void strike_limit(const dmi_flight* flight, int32_t side, dmi_landing* landing, float* value, float* velocity) {
     const float speed = fabsf(*velocity), back = flight->restitution * speed;
     landing->struck = side;
     landing->impact = dmi_fminf(dmi_fmaxf(landing->impact, speed), DMI_LARGEST_RATE);
-    landing->settled = settles(flight, side, back);
+    landing->settled = settles_at_limit(flight, side, back);
     *value = side > 0 ? flight->upper : flight->lower;
     *velocity = landing->settled ? 0 : -(float)side * back;
 }
@@ -65,13 +65,13 @@ dmi_landing dmi_flight_advance(const dmi_flight* flight, float dt, float* inout_
         const float to_upper = time_to_strike(flight, up, flight->acceleration);
         const float to_lower = time_to_strike(flight, down, -flight->acceleration);
         const float time = dmi_fminf(to_upper, to_lower);
-        move(flight, dmi_fminf(time, left), inout_value, inout_velocity);
+        move_freely(flight, dmi_fminf(time, left), inout_value, inout_velocity);
         if (!(time <= left)) {
-            landing.settled = flight->acceleration == 0 && settles(flight, 0, fabsf(*inout_velocity));
+            landing.settled = flight->acceleration == 0 && settles_at_limit(flight, 0, fabsf(*inout_velocity));
             return landing;
         }
         left -= time;
-        strike(flight, to_upper < to_lower ? 1 : -1, &landing, inout_value, inout_velocity);
+        strike_limit(flight, to_upper < to_lower ? 1 : -1, &landing, inout_value, inout_velocity);
     }
     landing.settled = true;
     *inout_velocity = 0;

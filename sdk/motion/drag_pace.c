@@ -63,7 +63,7 @@ bool dmi_release_set_pace(dmi_release* r, const float values[DM_MOTION_FRAMES]) 
 /* ---- motion ---- */
 
 /* Returns the planned value at a share of the duration, without regard to the initial velocity. */
-static float planned(const dmi_release* r, float s) {
+static float planned_value(const dmi_release* r, float s) {
     if (!r->paced) return r->start + (r->end - r->start) * minimum_jerk(s);
     const float t = r->first + (r->last - r->first) * s;
     return value_on_keys(r, t);
@@ -73,9 +73,9 @@ static float planned(const dmi_release* r, float s) {
  * 1 at 0, and (1 + 3 s) (1 - s)^3 has value 1 and slope 0 there. */
 static float move_at(const dmi_release* r, float s) {
     const float h = SLOPE_STEP, left = 1 - s, fade = left * left * left;
-    const float off = r->start - planned(r, 0), slope = (planned(r, h) - planned(r, 0)) / h;
+    const float off = r->start - planned_value(r, 0), slope = (planned_value(r, h) - planned_value(r, 0)) / h;
     const float speed = r->velocity * r->duration - slope;
-    return planned(r, s) + fade * ((1 + 3 * s) * off + s * speed);
+    return planned_value(r, s) + fade * ((1 + 3 * s) * off + s * speed);
 }
 
 static float glide_at(const dmi_release* r, const dm_drag_feel* feel) {

@@ -10,7 +10,7 @@
 #define BISECTIONS 40 /* halvings of twice the longest reach, which end below a float's rounding */
 
 /* Returns the index of the snap value nearest to a value. */
-static uint32_t nearest(const dmi_snaps* snaps, float value) {
+static uint32_t nearest_snap(const dmi_snaps* snaps, float value) {
     uint32_t best = 0;
     while (best + 1 < snaps->count && value > 0.5f * (snaps->values[best] + snaps->values[best + 1])) best++;
     return best;
@@ -27,7 +27,7 @@ static float reach_of(const dmi_snaps* snaps, uint32_t index, bool upwards) {
 
 float dmi_snaps_pull(const dmi_snaps* snaps, float value) {
     if (snaps->count == 0) return value;
-    const uint32_t i = nearest(snaps, value);
+    const uint32_t i = nearest_snap(snaps, value);
     const float off = value - snaps->values[i], reach = reach_of(snaps, i, off > 0);
     if (!(fabsf(off) < reach)) return value;
     return value - snaps->pull * reach / DMI_PI_F * dmi_sinf(DMI_PI_F * off / reach);
@@ -35,7 +35,7 @@ float dmi_snaps_pull(const dmi_snaps* snaps, float value) {
 
 float dmi_snaps_invert(const dmi_snaps* snaps, float target) {
     if (snaps->count == 0) return target;
-    const uint32_t i = nearest(snaps, target);
+    const uint32_t i = nearest_snap(snaps, target);
     const float off = target - snaps->values[i], reach = reach_of(snaps, i, off > 0);
     if (!(fabsf(off) < reach)) return target;
     float low = target - reach, high = target + reach;
@@ -51,7 +51,7 @@ float dmi_snaps_invert(const dmi_snaps* snaps, float target) {
 
 bool dmi_snaps_catch(const dmi_snaps* snaps, const dm_joint* joint, float value, float* out_snap) {
     if (snaps->count == 0) return false;
-    const uint32_t i = nearest(snaps, value);
+    const uint32_t i = nearest_snap(snaps, value);
     const float snap = snaps->values[i], off = value - snap;
     if (!(fabsf(off) < reach_of(snaps, i, off > 0)) || dmi_joint_clamp(joint, snap) != snap) return false;
     *out_snap = snap;
@@ -59,7 +59,7 @@ bool dmi_snaps_catch(const dmi_snaps* snaps, const dm_joint* joint, float value,
 }
 
 float dmi_snaps_place(const dmi_snaps* snaps, float value) {
-    const uint32_t i = nearest(snaps, value);
+    const uint32_t i = nearest_snap(snaps, value);
     const float off = value - snaps->values[i];
     const bool outer = off > 0 ? i + 1 == snaps->count : i == 0;
     return (float)i +

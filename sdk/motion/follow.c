@@ -137,7 +137,7 @@ static slopes slopes_at(turn_view* view, float value) {
 
 /* Minimises by Newton's method on the first derivative, safeguarded by the bracket of points known to lie left and
  * right of the minimum. */
-static float descend(turn_view* view, float start, float lower, float upper) {
+static float find_minimum(turn_view* view, float start, float lower, float upper) {
     float left = -INFINITY, right = INFINITY, value = start;
     for (int i = 0; i < MAX_STEPS; i++) {
         const slopes slope = slopes_at(view, value);
@@ -183,7 +183,7 @@ static float pass_fold(turn_view* view, float value, float lower, float upper) {
     if (fabsf(gap) > longest || other < lower || other > upper) return value;
     const float here = distance_from_ray(view, value);
     if (here < FOLD_MARGIN * arm) return value;
-    const float there = descend(view, other, lower, upper), then = distance_from_ray(view, there);
+    const float there = find_minimum(view, other, lower, upper), then = distance_from_ray(view, there);
     const float passed = (there - fold) * (value - fold);
     return passed < 0 && then < here - FOLD_MARGIN * arm ? there : value;
 }
@@ -201,12 +201,12 @@ static float find_branch(turn_view* view, float value, float lower, float upper)
         if (distance < least) least = distance, best = other;
     }
     if (best == value) return value;
-    const float there = descend(view, best, lower, upper);
+    const float there = find_minimum(view, best, lower, upper);
     return distance_from_ray(view, there) < BRANCH_GAIN * here ? there : value;
 }
 
-static float follow(const dm_joint* joint, const float rest_point[3], const dm_ray* ray, dmi_projection projection,
-                    float start, float lower, float upper, bool coarse) {
+static float follow_on_joint(const dm_joint* joint, const float rest_point[3], const dm_ray* ray,
+                             dmi_projection projection, float start, float lower, float upper, bool coarse) {
     float value = start;
     if (joint->type == DM_JOINT_PRISMATIC) {
         value = follow_slide(joint, rest_point, ray, projection, start, lower, upper);
@@ -215,7 +215,7 @@ static float follow(const dm_joint* joint, const float rest_point[3], const dm_r
         view.step_tolerance = coarse ? COARSE_TOLERANCE : STEP_TOLERANCE;
         if (!moves_point(joint, rest_point, &view)) return start;
         const float least = dmi_fmaxf(lower, start - DMI_PI_F), most = dmi_fminf(upper, start + DMI_PI_F);
-        value = descend(&view, start, least, most);
+        value = find_minimum(&view, start, least, most);
         if (!coarse) value = find_branch(&view, pass_fold(&view, value, least, most), least, most);
     }
     return isfinite(value) ? dmi_clamp(value, lower, upper) : start;
@@ -223,12 +223,12 @@ static float follow(const dm_joint* joint, const float rest_point[3], const dm_r
 
 float dmi_follow_ray(const dm_joint* joint, const float rest_point[3], const dm_ray* ray, dmi_projection projection,
                      float start, float lower, float upper) {
-    return follow(joint, rest_point, ray, projection, start, lower, upper, false);
+    return follow_on_joint(joint, rest_point, ray, projection, start, lower, upper, false);
 }
 
 float dmi_follow_ray_coarse(const dm_joint* joint, const float rest_point[3], const dm_ray* ray,
                             dmi_projection projection, float start, float lower, float upper) {
-    return follow(joint, rest_point, ray, projection, start, lower, upper, true);
+    return follow_on_joint(joint, rest_point, ray, projection, start, lower, upper, true);
 }
 
 void dmi_line_of_sight(const float point[3], const dm_ray* ray, dmi_projection projection, float out_sight[3],

@@ -36,8 +36,8 @@ static bool is_known(const dmi_hypothesis_tracker* tracker, const dm_joint* join
     return false;
 }
 
-static void add(dmi_hypothesis_tracker* tracker, const dm_joint* joint, float log_odds, bool range_unknown,
-                dmi_free_range free_range) {
+static void add_hypothesis(dmi_hypothesis_tracker* tracker, const dm_joint* joint, float log_odds, bool range_unknown,
+                           dmi_free_range free_range) {
     if (tracker->count == DMI_TRACKED_HYPOTHESES || joint->type == DM_JOINT_FIXED || is_known(tracker, joint)) return;
     const uint32_t index = tracker->count++;
     tracker->list[index] = dmi_joint_hypothesis_make(&tracker->grasp, joint, log_odds, range_unknown, free_range);
@@ -49,7 +49,7 @@ void dmi_hypothesis_tracker_add_alternative(dmi_hypothesis_tracker* tracker, con
                                             dmi_free_range free_range) {
     dm_joint unlimited = *joint;
     unlimited.lower = unlimited.upper = 0;
-    add(tracker, &unlimited, dmi_joint_log_odds(joint) + UNKNOWN_RANGE_LOG_ODDS, true, free_range);
+    add_hypothesis(tracker, &unlimited, dmi_joint_log_odds(joint) + UNKNOWN_RANGE_LOG_ODDS, true, free_range);
 }
 
 void dmi_hypothesis_tracker_add_slide(dmi_hypothesis_tracker* tracker, dm_vec3 axis, dmi_free_range free_range) {
@@ -62,7 +62,7 @@ void dmi_hypothesis_tracker_add_slide(dmi_hypothesis_tracker* tracker, dm_vec3 a
                             .lower = dmi_fmaxf(-size, free_range.lower),
                             .upper = dmi_fminf(size, free_range.upper),
                             .source = DM_JOINT_FROM_GEOMETRY};
-    if (slide.lower < slide.upper) add(tracker, &slide, FALLBACK_SLIDE_LOG_ODDS, false, free_range);
+    if (slide.lower < slide.upper) add_hypothesis(tracker, &slide, FALLBACK_SLIDE_LOG_ODDS, false, free_range);
 }
 
 void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* tracker, const dm_joint* joints,
@@ -72,8 +72,8 @@ void dmi_hypothesis_tracker_init(dmi_hypothesis_tracker* tracker, const dm_joint
     dmi_axis_refiner_init(&tracker->refiner);
     dmi_pull_begin(&tracker->grasp.pull, grab_point, MIN_PULL * size);
     for (uint32_t i = 0; i < count && i < DM_MAX_HYPOTHESES; i++)
-        add(tracker, &joints[i], dmi_joint_log_odds(&joints[i]), false,
-            free_ranges != NULL ? free_ranges[i] : dmi_unbounded_range());
+        add_hypothesis(tracker, &joints[i], dmi_joint_log_odds(&joints[i]), false,
+                       free_ranges != NULL ? free_ranges[i] : dmi_unbounded_range());
     tracker->list[0].grabbed = tracker->count > 0;
 }
 
@@ -164,7 +164,7 @@ static float posterior_of_active(const dmi_hypothesis_tracker* tracker, bool typ
 
 /* Returns the probability that an answer with the posterior p among those tracked is right. "None of these" has a share
  * that grows with what the pull leaves open. */
-static float calibrate(const dmi_hypothesis_tracker* tracker, float p) {
+static float calibrate_posterior(const dmi_hypothesis_tracker* tracker, float p) {
     const float kept = dmi_fminf(dmi_fmaxf(p, SMALLEST_POSTERIOR), 1 - SMALLEST_POSTERIOR);
     const int bends = !dmi_grasp_is_straight(&tracker->grasp);
     const float log_odds = calibration[bends].slope * dmi_logf(kept / (1 - kept)) + calibration[bends].offset;
@@ -172,11 +172,11 @@ static float calibrate(const dmi_hypothesis_tracker* tracker, float p) {
 }
 
 float dmi_hypothesis_tracker_confidence(const dmi_hypothesis_tracker* tracker) {
-    return calibrate(tracker, posterior_of_active(tracker, false));
+    return calibrate_posterior(tracker, posterior_of_active(tracker, false));
 }
 
 float dmi_hypothesis_tracker_type_confidence(const dmi_hypothesis_tracker* tracker) {
-    return dmi_fmaxf(calibrate(tracker, posterior_of_active(tracker, true)), tracker->confidence);
+    return dmi_fmaxf(calibrate_posterior(tracker, posterior_of_active(tracker, true)), tracker->confidence);
 }
 
 /* ---- update ---- */

@@ -41,13 +41,13 @@ bool dmi_links_order(dmi_link* links, uint32_t count, dmi_link* scratch) {
 }
 
 /* Returns how far a driver is beyond `from`, on the side of rest where that lies. */
-static float beyond(const dmi_link* link, float value) {
+static float way_beyond(const dmi_link* link, float value) {
     if (link->from > 0) return dmi_fmaxf(value - link->from, 0);
     if (link->from < 0) return dmi_fminf(value - link->from, 0);
     return value;
 }
 
-static void set(dmi_linked_joints joints, uint32_t part, float value, float* values, uint8_t* changed) {
+static void set_value(dmi_linked_joints joints, uint32_t part, float value, float* values, uint8_t* changed) {
     if (!isfinite(value)) return;
     const uint8_t* joint = (const uint8_t*)joints.first + part * joints.stride;
     values[part] = dmi_joint_clamp((const dm_joint*)(const void*)joint, value);
@@ -60,14 +60,16 @@ void dmi_links_follow(const dmi_link* links, uint32_t count, dmi_linked_joints j
     for (uint32_t i = count; i-- > 0;) { /* drivers come first in the list, so the way up begins at its end */
         const dmi_link* link = &links[i];
         if (link->kind != DM_LINK_MOVES || !link->both_ways || link->ratio == 0 || !changed[link->driven]) continue;
-        if (values[link->driven] == link->offset && beyond(link, values[link->driver]) == 0)
+        if (values[link->driven] == link->offset && way_beyond(link, values[link->driver]) == 0)
             continue; /* the driven part stays as it is */
-        set(joints, link->driver, link->from + (values[link->driven] - link->offset) / link->ratio, values, changed);
+        set_value(joints, link->driver, link->from + (values[link->driven] - link->offset) / link->ratio, values,
+                  changed);
     }
     for (uint32_t i = 0; i < count; i++) {
         const dmi_link* link = &links[i];
         if (link->kind != DM_LINK_MOVES || !changed[link->driver]) continue;
-        set(joints, link->driven, link->offset + link->ratio * beyond(link, values[link->driver]), values, changed);
+        set_value(joints, link->driven, link->offset + link->ratio * way_beyond(link, values[link->driver]), values,
+                  changed);
     }
 }
 

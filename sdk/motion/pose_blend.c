@@ -39,7 +39,7 @@ dmi_pose_blend dmi_pose_blend_new_joint(const dm_pose* before, const dm_pose* no
 }
 
 /* Returns the share that is left, from 1 to 0 by the smoothstep polynomial. */
-static float remaining(float age, float time) {
+static float remaining_share(float age, float time) {
     const float s = dmi_fminf(age / time, 1);
     return 1 - s * s * (3 - 2 * s);
 }
@@ -47,12 +47,12 @@ static float remaining(float age, float time) {
 dm_pose dmi_pose_blend_apply(const dmi_pose_blend* blend, const dm_pose* joint, const float point[3]) {
     if (!(blend->age < dmi_fmaxf(blend->turn_time, blend->lag_time))) return *joint;
     const dm_pose none = dmi_pose_identity();
-    const dm_pose left = dmi_pose_sclerp(&none, &blend->offset, remaining(blend->age, blend->turn_time));
+    const dm_pose left = dmi_pose_sclerp(&none, &blend->offset, remaining_share(blend->age, blend->turn_time));
     if (blend->lag_time == 0) return dmi_pose_multiply(&left, joint);
     float there[3], turned[3], shift[3];
     dmi_pose_apply(joint, point, there);
     dmi_pose_rotate(&left, there, turned);
-    dmi_madd3(there, remaining(blend->age, blend->lag_time), blend->lag, shift);
+    dmi_madd3(there, remaining_share(blend->age, blend->lag_time), blend->lag, shift);
     dmi_sub3(shift, turned, shift);
     const dm_pose offset = dmi_pose_from_rotation_translation(left.real, shift);
     return dmi_pose_multiply(&offset, joint);

@@ -29,7 +29,7 @@ void dmi_ray_closest_point(const dm_ray* ray, const float point[3], float out[3]
 }
 
 /* Drops every second ray but keeps the last. */
-static void thin(dmi_pull* pull) {
+static void thin_rays(dmi_pull* pull) {
     uint32_t kept = 0;
     for (uint32_t i = 1; i < pull->count; i += 2, kept++) {
         pull->rays[kept] = pull->rays[i];
@@ -77,7 +77,7 @@ void dmi_pull_add(dmi_pull* pull, const dm_ray* ray) {
     if (distance < pull->spacing) return;
     for (uint32_t i = 0; i < pull->count; i++)
         if (dmi_distance3(place, pull->places[i]) < pull->spacing) return;
-    if (pull->count == DMI_PULL_RAYS) thin(pull);
+    if (pull->count == DMI_PULL_RAYS) thin_rays(pull);
     pull->rays[pull->count] = *ray;
     dmi_copy3(place, pull->places[pull->count++]);
     pull->bend = bend_of(pull);

@@ -28,7 +28,7 @@ typedef struct collector {
     uint32_t count;
 } collector;
 
-static bool within(const collector* c, float cosine) {
+static bool is_in_range(const collector* c, float cosine) {
     return fabsf(cosine) >= c->least_cosine && fabsf(cosine) < c->most_cosine;
 }
 
@@ -40,7 +40,7 @@ static bool follow_drag(const collector* c, float axis[3], const float origin[3]
     dmi_sub3(c->hint->point, origin, arm);
     dmi_cross3(axis, arm, velocity);
     float speed = dmi_length3(velocity), along = dmi_dot3(velocity, c->drag);
-    if (speed < MIN_ARM * c->analysis->diagonal || !within(c, along / speed)) return false;
+    if (speed < MIN_ARM * c->analysis->diagonal || !is_in_range(c, along / speed)) return false;
     if (along < 0)
         for (int k = 0; k < 3; k++) axis[k] = -axis[k];
     return true;
@@ -128,7 +128,7 @@ static void add_prismatic(collector* c, const float d[3], uint32_t families) {
     float along = 1;
     if (c->hint != NULL) {
         along = dmi_dot3(d, c->drag);
-        if (!within(c, along)) return;
+        if (!is_in_range(c, along)) return;
     }
     dmi_candidate* out = &c->out[c->count++];
     *out = (dmi_candidate){.type = DM_JOINT_PRISMATIC, .direction_families = families};
@@ -142,8 +142,8 @@ static void add_all_revolutes(collector* c, const dmi_candidate_sources* s) {
     for (uint32_t i = 0; i < s->direction_count; i++) add_revolutes(c, s, &s->directions[i]);
 }
 
-static collector begin(const dmi_part_analysis* analysis, const dmi_drag_hint* hint, dmi_candidate* out,
-                       uint32_t count) {
+static collector begin_candidates(const dmi_part_analysis* analysis, const dmi_drag_hint* hint, dmi_candidate* out,
+                                  uint32_t count) {
     collector c = {.analysis = analysis, .hint = hint, .out = out, .count = count};
     if (hint == NULL) return c;
     dmi_copy3(hint->vector, c.drag);
@@ -164,7 +164,7 @@ static bool has_candidate(const collector* c, int32_t type, const float d[3], co
 uint32_t dmi_candidates_add_through(const dmi_part_analysis* analysis, const dmi_drag_hint* hint, const float point[3],
                                     const float (*directions)[3], uint32_t direction_count, dmi_candidate* candidates,
                                     uint32_t count) {
-    collector c = begin(analysis, hint, candidates, count);
+    collector c = begin_candidates(analysis, hint, candidates, count);
     c.least_cosine = FAR_DRAG_COSINE, c.most_cosine = INFINITY;
     for (uint32_t i = 0; i < direction_count; i++) {
         if (!has_candidate(&c, DM_JOINT_REVOLUTE, directions[i], point))
@@ -176,7 +176,7 @@ uint32_t dmi_candidates_add_through(const dmi_part_analysis* analysis, const dmi
 
 uint32_t dmi_candidates_make(const dmi_part_analysis* analysis, const dmi_drag_hint* hint,
                              const dmi_prediction* prediction, dmi_candidate* out) {
-    collector c = begin(analysis, hint, out, 0);
+    collector c = begin_candidates(analysis, hint, out, 0);
     dmi_candidate_sources s;
     dmi_candidate_sources_find(analysis, hint, c.drag, prediction, &s);
     c.least_cosine = NEAR_DRAG_COSINE, c.most_cosine = INFINITY;

@@ -6,7 +6,7 @@
 
 #define MIN_SQUARE 1e-20f /* sum of squared velocities: avoids a division by zero */
 
-static void normalize(dmi_twist* t) {
+static void normalize_twist(dmi_twist* t) {
     float square = 0;
     for (int i = 0; i < DMI_TWIST_POINTS; i++) square += dmi_dot3(t->velocity[i], t->velocity[i]);
     const float scale = 1 / sqrtf(square + MIN_SQUARE);
@@ -17,13 +17,13 @@ static void normalize(dmi_twist* t) {
 void dmi_twist_of_candidate(const dmi_part_analysis* analysis, const dmi_candidate* candidate, dmi_twist* out) {
     out->is_prismatic = candidate->type == DM_JOINT_PRISMATIC;
     for (int i = 0; i < DMI_TWIST_POINTS; i++) dmi_candidate_velocity(candidate, analysis->points[i], out->velocity[i]);
-    normalize(out);
+    normalize_twist(out);
 }
 
 void dmi_twist_of_joint(const dmi_part_analysis* analysis, const dm_joint* joint, dmi_twist* out) {
     out->is_prismatic = joint->type == DM_JOINT_PRISMATIC;
     for (int i = 0; i < DMI_TWIST_POINTS; i++) dmi_joint_velocity(joint, 0, analysis->points[i], out->velocity[i]);
-    normalize(out);
+    normalize_twist(out);
 }
 
 float dmi_twist_difference(const dmi_twist* a, const dmi_twist* b) {

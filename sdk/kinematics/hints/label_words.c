@@ -49,7 +49,7 @@ static void end_word(splitter* s) {
 }
 
 /* Appends the bytes of one character; a character that does not fit is left out. */
-static void append(splitter* s, const char* bytes, size_t count) {
+static void append_bytes(splitter* s, const char* bytes, size_t count) {
     if (s->out->count == DMI_WORDS_MAX || s->length + count >= DMI_WORD_LENGTH_MAX) return;
     char* word = s->out->words[s->out->count];
     memcpy(word + s->length, bytes, count);
@@ -58,7 +58,7 @@ static void append(splitter* s, const char* bytes, size_t count) {
 }
 
 /* Decodes the character at `at`. Returns how many bytes it has, or 0 where there is no valid UTF-8. */
-static size_t decode(const char* at, const char* end, uint32_t* out_character) {
+static size_t decode_character(const char* at, const char* end, uint32_t* out_character) {
     static const uint8_t tail_mask = 0xC0, tail_bits = 6, payload = 0x3F;
     for (size_t form = 0; form < sizeof utf8_forms / sizeof *utf8_forms; form++) {
         const uint8_t first = (uint8_t)*at;
@@ -84,14 +84,14 @@ static void append_wide(splitter* s, const char* bytes, size_t count, uint32_t c
         if (*letter == '*')
             end_word(s);
         else
-            append(s, letter, 1);
+            append_bytes(s, letter, 1);
     } else if (character >= CYRILLIC_UPPER && character < CYRILLIC_UPPER + CYRILLIC_COUNT) {
         static const uint8_t lead = 0xC0, tail = 0x80, tail_bits = 6, payload = 0x3F;
         const uint32_t lower = character - CYRILLIC_UPPER + CYRILLIC_LOWER;
         const char folded[2] = {(char)(lead | lower >> tail_bits), (char)(tail | (lower & payload))};
-        append(s, folded, sizeof folded);
+        append_bytes(s, folded, sizeof folded);
     } else {
-        append(s, bytes, count);
+        append_bytes(s, bytes, count);
     }
 }
 
@@ -110,10 +110,10 @@ void dmi_split_label(const char* name, size_t length, dmi_label_words* out) {
         if (is_upper(*at) || is_lower(*at)) {
             const char letter = is_upper(*at) ? (char)(*at - 'A' + 'a') : *at;
             if (begins_word(name, at, end)) end_word(&s);
-            append(&s, &letter, 1);
+            append_bytes(&s, &letter, 1);
         } else {
             uint32_t character = 0;
-            const size_t wide = (uint8_t)*at >= FIRST_CONTINUATION ? decode(at, end, &character) : 0;
+            const size_t wide = (uint8_t)*at >= FIRST_CONTINUATION ? decode_character(at, end, &character) : 0;
             if (wide > 0)
                 append_wide(&s, at, wide, character);
             else

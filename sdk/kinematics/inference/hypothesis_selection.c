@@ -57,7 +57,7 @@ static uint32_t top_of_type(const selection* s, int type, leading out[TOP_OF_TYP
     return n;
 }
 
-static void weigh(selection* s) {
+static void weigh_by_motion(selection* s) {
     dmi_twist twist[TOP];
     for (uint32_t i = 0; i < s->count; i++)
         dmi_twist_of_candidate(s->ranked->analysis, &s->ranked->candidates[s->top[i].index], &twist[i]);
@@ -86,12 +86,12 @@ static void weigh_by_pose(selection* s) {
     }
 }
 
-static void begin(const dmi_ranked_candidates* ranked, dmi_selection_rule rule, selection* s) {
+static void begin_selection(const dmi_ranked_candidates* ranked, dmi_selection_rule rule, selection* s) {
     *s = (selection){.ranked = ranked};
     for (uint32_t i = 0; i < ranked->count; i++) s->type_mass[slides(s, i)] += ranked->probability[i];
     s->count = top_of_type(s, 0, s->top);
     s->count += top_of_type(s, 1, s->top + s->count);
-    weigh(s);
+    weigh_by_motion(s);
     if (rule == DMI_SELECT_BY_POSE) weigh_by_pose(s);
 }
 
@@ -142,7 +142,7 @@ static void write_support(const selection* s, uint32_t chosen, dmi_selected* out
 uint32_t dmi_select_hypotheses(const dmi_ranked_candidates* ranked, dmi_selection_rule rule,
                                dmi_selected out[DM_MAX_HYPOTHESES]) {
     selection s;
-    begin(ranked, rule, &s);
+    begin_selection(ranked, rule, &s);
     uint32_t count = 0;
     float least = 1; /* no hypothesis is stated likelier than the one before it */
     while (count < DM_MAX_HYPOTHESES) {

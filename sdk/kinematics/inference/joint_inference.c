@@ -83,7 +83,7 @@ static void keep_given_type(work* w) {
     if (kept > 0) w->count = kept;
 }
 
-static void prefilter(work* w) {
+static void prefilter_candidates(work* w) {
     const dmi_inference_query* query = w->query;
     if (query->models.joints == NULL) return;
     w->count = dmi_prefilter_keep(&query->models.joints->prefilter, &w->analysis, query->hint, query->models.kpp,
@@ -112,7 +112,7 @@ static void rank_candidates(work* w) {
     const dmi_asset_hints* asset = w->query->asset_hints;
     w->count = dmi_candidates_make(&w->analysis, w->query->hint, prediction(w), w->candidates);
     keep_given_type(w);
-    prefilter(w);
+    prefilter_candidates(w);
     w->count = dmi_twin_add_candidates(&w->analysis, w->query->hint, w->candidates, w->count);
     if (!dmi_asset_hints_are_empty(asset))
         w->count = dmi_hints_add_candidates(asset, &w->analysis, w->query->hint, w->candidates, w->count);
@@ -296,8 +296,8 @@ static bool are_finite(const dmi_hypotheses* hypotheses, const dmi_alternatives*
     return true;
 }
 
-static dm_result infer(dmi_env* env, dmi_arena* arena, const dmi_inference_query* query, dmi_hypotheses* out,
-                       dmi_alternatives* out_alternatives) {
+static dm_result infer_joint(dmi_env* env, dmi_arena* arena, const dmi_inference_query* query, dmi_hypotheses* out,
+                             dmi_alternatives* out_alternatives) {
     work* w = dmi_arena_push(arena, sizeof *w);
     if (w == NULL)
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "kinematics: no memory for %zu bytes of scratch", sizeof *w);
@@ -331,7 +331,7 @@ dm_result dmi_joint_inference_run(dmi_env* env, const dmi_inference_query* query
     dmi_arena own, *arena = query->scratch != NULL ? query->scratch : &own;
     dmi_arena_init(&own, env, SCRATCH_BLOCK);
     const dmi_arena_mark mark = dmi_arena_get_mark(arena);
-    dm_result result = infer(env, arena, query, out_hypotheses, out_alternatives);
+    dm_result result = infer_joint(env, arena, query, out_hypotheses, out_alternatives);
     dmi_arena_rewind(arena, mark);
     dmi_arena_release(&own);
     return result;

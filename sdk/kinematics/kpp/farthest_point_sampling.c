@@ -51,8 +51,8 @@ static inline bool any_within(const float* restrict distance, float limit) {
 }
 
 /* Finds the DMI_FPS_GROUP nearest points within the limit by insertion sort; `self` comes first. */
-static inline void nearest(const float* distance, uint32_t count, float limit, uint32_t self,
-                           uint32_t out[DMI_FPS_GROUP]) {
+static inline void find_nearest(const float* distance, uint32_t count, float limit, uint32_t self,
+                                uint32_t out[DMI_FPS_GROUP]) {
     float best[DMI_FPS_GROUP];
     uint32_t filled = 1;
     for (int m = 0; m < DMI_FPS_GROUP; m++) best[m] = -1, out[m] = self;
@@ -84,7 +84,7 @@ static inline bool any_from(const float* restrict min_square, float most) {
 }
 
 /* Updates min_square for the new centre. Returns the first of the points that are farthest from all centres. */
-static inline uint32_t farthest(const float* distance, uint32_t count, float* min_square) {
+static inline uint32_t find_farthest(const float* distance, uint32_t count, float* min_square) {
     float most[LANES] = {0};
     for (uint32_t i = 0; i < count; i += LANES) update_some(distance + i, min_square + i, most);
     for (int k = 1; k < LANES; k++) most[0] = most[k] > most[0] ? most[k] : most[0];
@@ -97,8 +97,8 @@ static inline uint32_t farthest(const float* distance, uint32_t count, float* mi
 static inline uint32_t next_of(dmi_fps* g, uint32_t centre, uint32_t out_members[DMI_FPS_GROUP]) {
     float distance[DMI_FPS_MAX_POINTS], least[LANES];
     squared_distances(g, centre, distance, least);
-    nearest(distance, g->count, bound_of(least), centre, out_members);
-    return farthest(distance, g->count, g->min_square);
+    find_nearest(distance, g->count, bound_of(least), centre, out_members);
+    return find_farthest(distance, g->count, g->min_square);
 }
 
 #if defined(__x86_64__)

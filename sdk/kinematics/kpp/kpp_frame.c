@@ -62,7 +62,7 @@ void dmi_kpp_geometry_make(const dmi_kpp_subset* subset, dmi_kpp_geometry* out) 
 
 /* ---- frame ---- */
 
-static void negate(float v[3]) {
+static void negate_vector(float v[3]) {
     for (int k = 0; k < 3; k++) v[k] = -v[k];
 }
 
@@ -108,7 +108,7 @@ static void sign_axis(const dmi_kpp_subset* s, const dmi_kpp_geometry* g, const 
         }
         along = (float)third;
     }
-    if (along < 0) negate(e);
+    if (along < 0) negate_vector(e);
 }
 
 void dmi_kpp_frame_make(const dmi_cloud* cloud, const dmi_kpp_subset* subset, const dmi_drag_hint* hint,
@@ -121,7 +121,7 @@ void dmi_kpp_frame_make(const dmi_cloud* cloud, const dmi_kpp_subset* subset, co
     if (hint == NULL)
         sign_axis(subset, geometry, hint, e1);
     else if (dmi_dot3(e1, hint->vector) < 0)
-        negate(e1);
+        negate_vector(e1);
     sign_axis(subset, geometry, hint, e2);
     dmi_cross3(e1, e2, e3);
     dmi_copy3(geometry->centre, out->origin);

@@ -135,9 +135,9 @@ static void make_tokens(const encoder* encoder, const dmi_kernels* kernels,
 }
 
 /* Writes the mean and the maximum over the tokens to `pooled`. The normalised tokens overwrite s->points. */
-static void encode(const encoder* encoder, const dmi_kernels* kernels,
-                   const float (*points)[DMI_KPP_GROUP][DMI_KPP_CHANNELS], const float (*centres)[3], uint32_t groups,
-                   scratch* s, float* pooled) {
+static void encode_groups(const encoder* encoder, const dmi_kernels* kernels,
+                          const float (*points)[DMI_KPP_GROUP][DMI_KPP_CHANNELS], const float (*centres)[3],
+                          uint32_t groups, scratch* s, float* pooled) {
     _Static_assert(sizeof s->points >= sizeof s->tokens, "the normalised tokens must fit");
     float* normal = s->points[0];
     make_tokens(encoder, kernels, points, centres, groups, s);
@@ -182,8 +182,10 @@ void dmi_kpp_net_forward(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_inpu
                          dmi_kpp_output* out_output) {
     const dmi_kernels* kernels = dmi_kernels_for(isa);
     scratch* s = scratch_memory;
-    encode(&net->global, kernels, input->global_points, input->global_centres, DMI_KPP_GLOBAL_GROUPS, s, s->known);
-    encode(&net->local, kernels, input->local_points, input->local_centres, DMI_KPP_LOCAL_GROUPS, s, s->known + POOLED);
+    encode_groups(&net->global, kernels, input->global_points, input->global_centres, DMI_KPP_GLOBAL_GROUPS, s,
+                  s->known);
+    encode_groups(&net->local, kernels, input->local_points, input->local_centres, DMI_KPP_LOCAL_GROUPS, s,
+                  s->known + POOLED);
     memcpy(s->known + FEATURES, input->shape, sizeof input->shape);
     dmi_mlp_apply(&net->type, kernels, s->known, 1, 0, s->head, out_output->type_logits);
     dmi_mlp_apply(&net->axis, kernels, s->known, 1, 0, s->head, s->axes);

@@ -115,15 +115,16 @@ static int best_range(const ranges* all) {
 }
 
 /* Standardises the inputs. An unknown input counts as its mean. */
-static void standardise(const dmi_limit_network* network, const dmi_limit_query* query, float out[DMI_LIMIT_INPUTS]) {
+static void standardise_inputs(const dmi_limit_network* network, const dmi_limit_query* query,
+                               float out[DMI_LIMIT_INPUTS]) {
     const float *mean = network->mean + DMI_LIMIT_FEATURES, *scale = network->scale + DMI_LIMIT_FEATURES;
     for (int i = 0; i < DMI_LIMIT_FEATURES; i++) out[i] = (query->features[i] - network->mean[i]) * network->scale[i];
     for (int i = 0; i < DMI_FEATURE_COUNT; i++)
         out[DMI_LIMIT_FEATURES + i] = query->candidate != NULL ? (query->candidate[i] - mean[i]) * scale[i] : 0;
 }
 
-static void answer(const dmi_limit_network* network, const float probability[DMI_LIMIT_SIZES][DMI_LIMIT_SIZES],
-                   bool dragged, dmi_limit_prediction* out) {
+static void choose_range(const dmi_limit_network* network, const float probability[DMI_LIMIT_SIZES][DMI_LIMIT_SIZES],
+                         bool dragged, dmi_limit_prediction* out) {
     ranges likely;
     likely_ranges(network, probability, dragged ? RESTS_AT_END : 1, &likely);
     const int best = best_range(&likely);
@@ -133,13 +134,13 @@ static void answer(const dmi_limit_network* network, const float probability[DMI
 }
 
 /* Predicts limits of up to BATCH joints. */
-static void predict(const dmi_limit_network* network, dmi_isa isa, const dmi_limit_query* queries, uint32_t count,
-                    dmi_limit_prediction* out) {
+static void predict_batch(const dmi_limit_network* network, dmi_isa isa, const dmi_limit_query* queries, uint32_t count,
+                          dmi_limit_prediction* out) {
     _Alignas(DMI_ALIGNMENT) float x[BATCH][DMI_LIMIT_INPUTS], y[BATCH][OUTPUTS], hidden[2][BATCH][HIDDEN];
     float* const buffers[2] = {hidden[0][0], hidden[1][0]};
     float probability[BATCH][DMI_LIMIT_SIZES][DMI_LIMIT_SIZES] = {0};
     for (uint32_t r = 0; r < count; r++) {
-        standardise(network, &queries[r], x[r]);
+        standardise_inputs(network, &queries[r], x[r]);
         out[r].free = 0;
     }
     for (int i = 0; i < DMI_LIMIT_MEMBERS; i++) {
@@ -150,11 +151,11 @@ static void predict(const dmi_limit_network* network, dmi_isa isa, const dmi_lim
         }
     }
     for (uint32_t r = 0; r < count; r++)
-        answer(network, (const float(*)[DMI_LIMIT_SIZES])probability[r], queries[r].dragged, &out[r]);
+        choose_range(network, (const float(*)[DMI_LIMIT_SIZES])probability[r], queries[r].dragged, &out[r]);
 }
 
 void dmi_limit_network_predict(const dmi_limit_network* network, dmi_isa isa, const dmi_limit_query* queries,
                                uint32_t count, dmi_limit_prediction* out) {
     for (uint32_t first = 0; first < count; first += BATCH)
-        predict(network, isa, queries + first, count - first < BATCH ? count - first : BATCH, out + first);
+        predict_batch(network, isa, queries + first, count - first < BATCH ? count - first : BATCH, out + first);
 }

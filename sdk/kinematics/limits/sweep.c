@@ -25,7 +25,7 @@ static void distances_at(const dmi_sweep* s, float value, const dmi_distance_gri
 }
 
 /* Returns the share of the free points that are inside the body's cells at a value. */
-static float blocked(const dmi_sweep* s, float value) {
+static float blocked_share(const dmi_sweep* s, float value) {
     float distance[DMI_SWEEP_POINTS];
     distances_at(s, value, &s->analysis->body_grid, distance);
     const float limit = HIT_CELLS * s->analysis->body_grid.cell;
@@ -38,7 +38,7 @@ void dmi_sweep_reach(const dmi_sweep* s, float step, int steps, float out[2]) {
     out[0] = out[1] = step * (float)steps;
     bool stopped = false;
     for (int i = 1; i <= steps; i++) {
-        const float share = blocked(s, step * (float)i);
+        const float share = blocked_share(s, step * (float)i);
         if (!stopped && share > STOPPED) out[0] = step * (float)(i - 1), stopped = true;
         if (share <= JAMMED) continue;
         out[1] = step * (float)(i - 1);

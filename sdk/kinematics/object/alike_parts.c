@@ -33,7 +33,7 @@ typedef struct search {
 /* ---- surroundings ---- */
 
 /* Cuts a polygon by a plane across an axis: keeps what lies at or above `limit` on the side of `sign`. */
-static uint32_t cut(float (*corners)[3], uint32_t count, int axis, float sign, float limit) {
+static uint32_t cut_polygon(float (*corners)[3], uint32_t count, int axis, float sign, float limit) {
     float kept[MOST_CORNERS + 1][3];
     uint32_t out = 0;
     for (uint32_t i = 0; i < count; i++) {
@@ -80,8 +80,8 @@ static void add_face(const search* s, uint32_t face, const float middle[3], cons
         for (int k = 0; k < 3; k++) corners[i][k] = (at[k] - middle[k]) / half[k];
     }
     for (int k = 0; k < 3 && count > 0; k++) {
-        count = cut(corners, count, k, 1, -1);
-        if (count > 0) count = cut(corners, count, k, -1, -1);
+        count = cut_polygon(corners, count, k, 1, -1);
+        if (count > 0) count = cut_polygon(corners, count, k, -1, -1);
     }
     for (uint32_t i = 2; i < count; i++)
         add_triangle(corners[0], corners[i - 1], corners[i], s->mesh->face_normal + 3 * (size_t)face, moments);
@@ -93,7 +93,7 @@ static bool boxes_meet(const float low[3], const float high[3], const float othe
     return true;
 }
 
-static void measure(const search* s, uint32_t part, look* out) {
+static void measure_look(const search* s, uint32_t part, look* out) {
     const dmi_part* shape = &s->object->parts[part].shape;
     float low[3], high[3], middle[3], half[3];
     *out = (look){.part = part, .side = LEAST_SIDE};
@@ -142,7 +142,7 @@ static bool are_alike(const search* s, const look* a, const look* b) {
 }
 
 /* Marks the parts that are carried, carry others, or have a pivot. They are like no other part. */
-static void exclude(const dmi_object* object, uint8_t* alone) {
+static void exclude_parts(const dmi_object* object, uint8_t* alone) {
     for (uint32_t i = 1; i < object->part_count; i++) {
         const uint32_t parent = object->parts[i].shape.parent;
         if (parent != 0) alone[i] = alone[parent] = 1;
@@ -168,14 +168,14 @@ dm_result dmi_alike_parts_find(dmi_arena* arena, const dmi_mesh* mesh, const dmi
     if (alone == NULL || s.faces == NULL || s.first == NULL || s.looks == NULL)
         return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to compare %u parts", object->part_count);
     memcpy(alone, excluded, object->part_count);
-    exclude(object, alone);
+    exclude_parts(object, alone);
     sort_faces(mesh, &s);
     for (uint32_t i = 0; i < object->part_count; i++) out_like[i] = i;
     for (uint32_t i = 1; i < object->part_count; i++) {
         uint32_t same = 0;
         if (alone[i]) continue;
         look* own = &s.looks[s.count];
-        measure(&s, i, own);
+        measure_look(&s, i, own);
         while (same < s.count && !are_alike(&s, &s.looks[same], own)) same++;
         if (same < s.count)
             out_like[i] = s.looks[same].part;

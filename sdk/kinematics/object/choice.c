@@ -53,7 +53,7 @@ static dm_joint_end describe_end(const dmi_object* object, const dmi_mesh* mesh,
     return out;
 }
 
-static void describe(const dmi_object* object, const dmi_mesh* mesh, uint32_t part, question* out) {
+static void describe_hypotheses(const dmi_object* object, const dmi_mesh* mesh, uint32_t part, question* out) {
     const dmi_hypotheses* found = &object->parts[part].hypotheses;
     for (uint32_t i = 0; i < found->count; i++) {
         out->joints[i] = dmi_frame_joint_out(&object->frame, &found->joints[i]);
@@ -70,7 +70,7 @@ dm_result dmi_choose_joint(dmi_env* env, dmi_object* object, const dmi_mesh* mes
     dmi_object_part* part = &object->parts[index];
     if (part->given_type == DM_JOINT_FIXED) return DM_OK;
     question asked;
-    describe(object, mesh, index, &asked);
+    describe_hypotheses(object, mesh, index, &asked);
     const dm_part_info info = dmi_object_part_out(object, index);
     const dm_choice choice = {
         .struct_size = sizeof choice, .count = part->hypotheses.count, .part = &info, .hypotheses = asked.list};

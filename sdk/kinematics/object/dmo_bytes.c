@@ -15,7 +15,7 @@ static bool is_little_endian(void) {
 
 /* ---- reader ---- */
 
-static uint64_t get(dmi_dmo_reader* r, uint32_t bytes) {
+static uint64_t get_number(dmi_dmo_reader* r, uint32_t bytes) {
     if (r->left < bytes) {
         r->overrun = true;
         r->left = 0;
@@ -29,15 +29,15 @@ static uint64_t get(dmi_dmo_reader* r, uint32_t bytes) {
 }
 
 uint32_t dmi_get_u16(dmi_dmo_reader* r) {
-    return (uint32_t)get(r, sizeof(uint16_t));
+    return (uint32_t)get_number(r, sizeof(uint16_t));
 }
 
 uint32_t dmi_get_u32(dmi_dmo_reader* r) {
-    return (uint32_t)get(r, sizeof(uint32_t));
+    return (uint32_t)get_number(r, sizeof(uint32_t));
 }
 
 uint64_t dmi_get_u64(dmi_dmo_reader* r) {
-    return get(r, sizeof(uint64_t));
+    return get_number(r, sizeof(uint64_t));
 }
 
 float dmi_get_f32(dmi_dmo_reader* r) {
@@ -110,21 +110,21 @@ void dmi_get_joint(dmi_dmo_reader* r, dm_joint* out) {
 
 /* ---- writer ---- */
 
-static void put(dmi_dmo_writer* w, uint64_t value, size_t bytes) {
+static void put_number(dmi_dmo_writer* w, uint64_t value, size_t bytes) {
     for (size_t i = 0; w->out != NULL && i < bytes; i++) w->out[w->size + i] = (uint8_t)(value >> (BYTE_BITS * i));
     w->size += bytes;
 }
 
 void dmi_put_u16(dmi_dmo_writer* w, uint32_t value) {
-    put(w, value, sizeof(uint16_t));
+    put_number(w, value, sizeof(uint16_t));
 }
 
 void dmi_put_u32(dmi_dmo_writer* w, uint32_t value) {
-    put(w, value, sizeof value);
+    put_number(w, value, sizeof value);
 }
 
 void dmi_put_u64(dmi_dmo_writer* w, uint64_t value) {
-    put(w, value, sizeof value);
+    put_number(w, value, sizeof value);
 }
 
 void dmi_put_f32(dmi_dmo_writer* w, float value) {

@@ -26,13 +26,13 @@ typedef struct loading {
     dmi_object* object;
 } loading;
 
-static dm_result bad(const loading* load, const char* what) {
+static dm_result refuse_data(const loading* load, const char* what) {
     return dmi_fail(load->env, DM_ERROR_BAD_DATA, "dm_object_load: %s", what);
 }
 
 static dm_result read_header(const loading* load, const uint8_t* data, size_t size, uint32_t* out_sections) {
     dmi_dmo_reader r = {data, size, false};
-    if (dmi_get_u32(&r) != DMI_DMO_MAGIC || size < DMI_DMO_HEADER_SIZE) return bad(load, "not a .dmo file");
+    if (dmi_get_u32(&r) != DMI_DMO_MAGIC || size < DMI_DMO_HEADER_SIZE) return refuse_data(load, "not a .dmo file");
     uint32_t version = dmi_get_u32(&r), crc = dmi_get_u32(&r);
     if (version > DMI_DMO_VERSION) {
         return dmi_fail(load->env, DM_ERROR_VERSION,
@@ -48,7 +48,7 @@ static dm_result read_header(const loading* load, const uint8_t* data, size_t si
     }
     return crc == dmi_dmo_crc(data + DMI_DMO_CHECKED_FROM, size - DMI_DMO_CHECKED_FROM)
                ? DM_OK
-               : bad(load, "the checksum is wrong");
+               : refuse_data(load, "the checksum is wrong");
 }
 
 static dm_result read_table(loading* load, const uint8_t* data, size_t size) {
@@ -60,10 +60,10 @@ static dm_result read_table(loading* load, const uint8_t* data, size_t size) {
         uint32_t tag = dmi_get_u32(&table);
         dmi_get_u32(&table);
         uint64_t offset = dmi_get_u64(&table), length = dmi_get_u64(&table);
-        if (offset > size || length > size - offset) return bad(load, "a section lies outside the file");
+        if (offset > size || length > size - offset) return refuse_data(load, "a section lies outside the file");
         for (int s = 0; s < DMI_DMO_SECTIONS; s++) {
             if (tag != dmi_dmo_tags[s]) continue;
-            if (load->sections[s].at != NULL) return bad(load, "a section comes twice");
+            if (load->sections[s].at != NULL) return refuse_data(load, "a section comes twice");
             load->sections[s] = (dmi_dmo_reader){data + offset, length, false};
         }
     }
@@ -90,7 +90,7 @@ static dm_result read_object(loading* load) {
     head.triangle_count = dmi_get_u64(r);
     head.seed = dmi_get_u64(r);
     uint32_t part_count = dmi_get_u32(r);
-    if (r->overrun || !dmi_dmo_valid_object(&head)) return bad(load, "section OBJ holds impossible numbers");
+    if (r->overrun || !dmi_dmo_valid_object(&head)) return refuse_data(load, "section OBJ holds impossible numbers");
     /* The sections must have the size that these parts need, so that no number makes the reader allocate more than the
      * file holds. */
     if (part_count < 2 || part_count > DM_MAX_PARTS + 1 ||
@@ -120,10 +120,10 @@ static dm_result read_parts(loading* load) {
         shape->area = dmi_get_f32(r);
         part->given_type = (int32_t)dmi_get_u32(r);
         if (!dmi_dmo_valid_shape(shape) || part->given_type < DM_JOINT_UNKNOWN || part->given_type > DM_JOINT_FIXED) {
-            return bad(load, "section PART holds impossible numbers");
+            return refuse_data(load, "section PART holds impossible numbers");
         }
     }
-    return dmi_dmo_valid_tree(load->object) ? DM_OK : bad(load, "section PART: the parts do not form a tree");
+    return dmi_dmo_valid_tree(load->object) ? DM_OK : refuse_data(load, "section PART: the parts do not form a tree");
 }
 
 /* Reads the axes and the unit of the host that saved the file. An older file has none. */
@@ -171,7 +171,7 @@ static dm_result read_joints(loading* load) {
         all->count = dmi_get_u32(r);
         int32_t in_force = (int32_t)dmi_get_u32(r);
         if (all->count > DM_MAX_HYPOTHESES || in_force < -1 || in_force >= (int32_t)all->count) {
-            return bad(load, "section JNT holds impossible numbers");
+            return refuse_data(load, "section JNT holds impossible numbers");
         }
         bool valid = true;
         for (uint32_t j = 0; j < all->count; j++) {
@@ -187,13 +187,13 @@ static dm_result read_joints(loading* load) {
             valid = read_closed(load, &inner.closed) && valid;
             valid = valid && dmi_dmo_valid_joint(frame, &inner) && read_host_joint(load, &inner, &part->joint);
         }
-        if (!valid) return bad(load, "section JNT or HST holds an invalid joint");
+        if (!valid) return refuse_data(load, "section JNT or HST holds an invalid joint");
     }
     const dmi_dmo_reader* host = &load->sections[DMI_DMO_HOST_JOINTS];
-    if (host->overrun || host->left > 0) return bad(load, "section HST has the wrong size");
+    if (host->overrun || host->left > 0) return refuse_data(load, "section HST has the wrong size");
     const dmi_dmo_reader* closed = &load->sections[DMI_DMO_CLOSED];
-    if (closed->overrun || closed->left > 0) return bad(load, "section CLO has the wrong size");
-    return r->overrun || r->left > 0 ? bad(load, "section JNT has the wrong size") : DM_OK;
+    if (closed->overrun || closed->left > 0) return refuse_data(load, "section CLO has the wrong size");
+    return r->overrun || r->left > 0 ? refuse_data(load, "section JNT has the wrong size") : DM_OK;
 }
 
 /* Reads the points of a part from a file of version 1, which has more of them. */
@@ -223,17 +223,17 @@ static dm_result read_alternatives(loading* load) {
     for (uint32_t i = 1; i < load->object->part_count; i++) {
         dmi_alternatives* all = &load->object->parts[i].alternatives;
         all->count = dmi_get_u32(r);
-        if (all->count > DMI_ALTERNATIVES) return bad(load, "section ALT holds too many joints");
+        if (all->count > DMI_ALTERNATIVES) return refuse_data(load, "section ALT holds too many joints");
         for (uint32_t j = 0; j < all->count; j++) {
             all->list[j].type = (int32_t)dmi_get_u32(r);
             all->list[j].confidence = dmi_get_f32(r);
             dmi_get_floats(r, all->list[j].axis, 3);
             dmi_get_floats(r, all->list[j].origin, 3);
             if (!dmi_dmo_valid_alternative(&load->object->frame, &all->list[j]))
-                return bad(load, "section ALT holds an invalid joint");
+                return refuse_data(load, "section ALT holds an invalid joint");
         }
     }
-    return r->overrun || r->left > 0 ? bad(load, "section ALT has the wrong size") : DM_OK;
+    return r->overrun || r->left > 0 ? refuse_data(load, "section ALT has the wrong size") : DM_OK;
 }
 
 static bool read_free_range(dmi_dmo_reader* r, dmi_free_range* out) {
@@ -257,8 +257,8 @@ static dm_result read_free_ranges(loading* load) {
             valid &= read_free_range(r, &alternatives->list[j].free_range);
         for (int j = 0; j < 3; j++) valid &= read_free_range(r, &alternatives->slides[j]);
     }
-    if (r->overrun || r->left > 0) return bad(load, "section FRE has the wrong size");
-    return valid ? DM_OK : bad(load, "section FRE holds an impossible range");
+    if (r->overrun || r->left > 0) return refuse_data(load, "section FRE has the wrong size");
+    return valid ? DM_OK : refuse_data(load, "section FRE holds an impossible range");
 }
 
 /* Reads what the object was prepared without. Bits of a later version are dropped, because this one cannot name
@@ -268,7 +268,7 @@ static dm_result read_degraded(loading* load) {
     dmi_dmo_reader* r = &load->sections[DMI_DMO_DEGRADED];
     if (r->at == NULL) return DM_OK;
     load->object->degraded = dmi_get_u32(r) & known;
-    return r->overrun || r->left > 0 ? bad(load, "section LES has the wrong size") : DM_OK;
+    return r->overrun || r->left > 0 ? refuse_data(load, "section LES has the wrong size") : DM_OK;
 }
 
 /* Triangles as the file has them, in scratch memory. */
@@ -286,14 +286,15 @@ static dm_result read_arrays(loading* load, size_t vertices, size_t faces, const
     dmi_dmo_reader* r = &load->sections[DMI_DMO_TRIANGLES];
     dmi_get_floats(r, to->positions, vertices * 3);
     if (!dmi_dmo_within(to->positions, vertices * 3, DMI_DMO_MAX_COORDINATE))
-        return bad(load, "section TRI: a vertex lies far outside the object");
+        return refuse_data(load, "section TRI: a vertex lies far outside the object");
     dmi_get_words(r, to->indices, faces * 3);
     for (size_t i = 0; i < faces * 3; i++) {
-        if (to->indices[i] >= vertices) return bad(load, "section TRI: an index names no vertex");
+        if (to->indices[i] >= vertices) return refuse_data(load, "section TRI: an index names no vertex");
     }
     dmi_get_halves(r, to->face_part, faces);
     for (size_t i = 0; i < faces; i++) {
-        if (to->face_part[i] >= load->object->part_count) return bad(load, "section TRI: a triangle of no part");
+        if (to->face_part[i] >= load->object->part_count)
+            return refuse_data(load, "section TRI: a triangle of no part");
     }
     return dmi_progress_tell(load->progress, ARRAYS_READ);
 }
@@ -304,8 +305,9 @@ static dm_result check_faces(const loading* load) {
     for (uint32_t i = 0; i < object->part_count; i++) {
         const dmi_packed_part* part = &object->mesh->parts[i];
         if (part->face_count != object->parts[i].shape.face_count)
-            return bad(load, "section TRI: a part has another number of triangles");
-        if (part->face_count > 0 && part->solid_count == 0) return bad(load, "section TRI: a part without area");
+            return refuse_data(load, "section TRI: a part has another number of triangles");
+        if (part->face_count > 0 && part->solid_count == 0)
+            return refuse_data(load, "section TRI: a part without area");
     }
     return DM_OK;
 }
@@ -325,7 +327,7 @@ static dm_result read_triangles(loading* load, bool wide) {
     const uint64_t vertices = dmi_get_u64(r), faces = dmi_get_u64(r);
     if (vertices != object->vertex_count || faces != object->triangle_count || vertices == 0 || faces == 0 ||
         r->left != vertices * DMI_DMO_VERTEX_SIZE + faces * DMI_DMO_TRIANGLE_SIZE) {
-        return bad(load, "section TRI has the wrong size");
+        return refuse_data(load, "section TRI has the wrong size");
     }
     const arrays room = {.positions = dmi_scratch_alloc(load->env, (size_t)vertices * 3 * sizeof(float)),
                          .indices = dmi_scratch_alloc(load->env, (size_t)faces * 3 * sizeof(uint32_t)),
@@ -375,7 +377,8 @@ static dm_result make_trees(loading* load, dmi_picker* picker, const dmi_progres
         numbers += (size_t)shapes[p].block_count * DMI_DMO_BLOCK_NUMBERS;
     }
     const dm_result result = dmi_object_make_trees(picker, shapes, progress, load->object);
-    return result == DM_ERROR_BAD_DATA ? bad(load, "section TREE: a tree that is none of its triangles") : result;
+    return result == DM_ERROR_BAD_DATA ? refuse_data(load, "section TREE: a tree that is none of its triangles")
+                                       : result;
 }
 
 static dm_result read_trees(loading* load, dmi_picker* picker, const dmi_progress* progress) {
@@ -383,7 +386,7 @@ static dm_result read_trees(loading* load, dmi_picker* picker, const dmi_progres
     dmi_tree_shape* shapes = dmi_scratch_alloc(env, load->object->part_count * sizeof *shapes);
     if (shapes == NULL) return out_of_memory(load);
     dm_result result = DM_OK;
-    if (!read_tree_sizes(load, shapes)) result = bad(load, "section TREE has the wrong size");
+    if (!read_tree_sizes(load, shapes)) result = refuse_data(load, "section TREE has the wrong size");
     uint32_t* numbers = result == DM_OK ? dmi_scratch_alloc(env, (size_t)load->sections[DMI_DMO_TREES].left) : NULL;
     if (numbers != NULL)
         result = make_trees(load, picker, progress, shapes, numbers);

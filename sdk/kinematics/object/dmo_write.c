@@ -145,7 +145,7 @@ static bool has_closed(const dmi_object* object) {
 }
 
 /* Returns a writer for element `i` of an array that begins at `begin`. */
-static dmi_dmo_writer element(const dmi_dmo_writer* w, size_t begin, size_t i, size_t size) {
+static dmi_dmo_writer element_writer(const dmi_dmo_writer* w, size_t begin, size_t i, size_t size) {
     return (dmi_dmo_writer){w->out, begin + i * size};
 }
 
@@ -162,7 +162,8 @@ static void write_triangles(dmi_dmo_writer* w, const saved* from) {
         const uint32_t first = mesh->parts[p].first_face, end = first + mesh->parts[p].face_count;
         for (uint32_t f = first; f < end; f++) {
             const uint32_t face = dmi_packed_of_mesh(mesh, f);
-            dmi_dmo_writer corner = element(w, corners, face, CORNERS_SIZE), part = element(w, parts, face, 2);
+            dmi_dmo_writer corner = element_writer(w, corners, face, CORNERS_SIZE),
+                           part = element_writer(w, parts, face, 2);
             for (int i = 0; i < 3; i++) dmi_put_u32(&corner, dmi_packed_corner(mesh, f, i));
             dmi_put_u16(&part, p);
         }

@@ -21,8 +21,8 @@ static uint32_t number_parts(const dmi_object* object, const uint8_t* keep, uint
 }
 
 /* Gives the parts of an unpacked mesh their new numbers, and measures those. */
-static dm_result renumber(dmi_env* env, const dmi_object* object, const uint8_t* keep, const uint32_t* number,
-                          uint32_t part_count, dmi_mesh* mesh) {
+static dm_result renumber_parts(dmi_env* env, const dmi_object* object, const uint8_t* keep, const uint32_t* number,
+                                uint32_t part_count, dmi_mesh* mesh) {
     memset(mesh->parts, 0, part_count * sizeof *mesh->parts);
     for (uint32_t i = 1; i < object->part_count; i++) {
         if (!keep[i]) continue;
@@ -71,7 +71,7 @@ static dm_result select_numbered(dmi_env* env, dmi_picker* picker, const dmi_obj
     dmi_mesh* mesh = NULL;
     dm_result result = dmi_object_create(env, part_count, &out);
     if (result == DM_OK) result = dmi_object_unpack(env, object, NULL, &mesh);
-    if (result == DM_OK) result = renumber(env, object, keep, number, part_count, mesh);
+    if (result == DM_OK) result = renumber_parts(env, object, keep, number, part_count, mesh);
     if (result == DM_OK) copy_parts(object, keep, number, mesh, out);
     if (result == DM_OK && keep_triangles) result = keep_mesh(env, picker, mesh, out);
     dmi_mesh_destroy(env, mesh);

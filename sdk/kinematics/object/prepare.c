@@ -287,8 +287,8 @@ static dm_result keep_triangles(dmi_env* env, dmi_picker* picker, const dmi_prep
     return result == DM_OK && trees ? dmi_object_make_trees(picker, NULL, &building, object) : result;
 }
 
-static dm_result fill(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc, const dmi_progress* progress,
-                      const dmi_mesh* mesh, dmi_object* object) {
+static dm_result prepare_object(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc,
+                                const dmi_progress* progress, const dmi_mesh* mesh, dmi_object* object) {
     dm_result result = dmi_progress_tell(progress, MESH_DONE);
     if (result == DM_OK) result = keep_triangles(env, picker, desc, progress, mesh, object);
     if (result == DM_OK) result = dmi_progress_tell(progress, BVH_DONE);
@@ -306,7 +306,7 @@ static dm_result prepare_mesh(dmi_env* env, dmi_picker* picker, const dmi_prepar
     if (result != DM_OK) return result;
     object->network_alone = desc->network_alone;
     if (desc->mesh_is_incomplete) object->degraded |= DM_DEGRADED_MESH;
-    result = fill(env, picker, desc, progress, mesh, object);
+    result = prepare_object(env, picker, desc, progress, mesh, object);
     if (result != DM_OK) {
         dmi_object_destroy(env, object);
         return result;

@@ -19,7 +19,7 @@ static float take_alike(const dmi_twist* like, const dmi_twist* motions, uint32_
     return mass;
 }
 
-static void add(const dmi_candidate* candidate, float confidence, dmi_alternatives* out) {
+static void add_alternative(const dmi_candidate* candidate, float confidence, dmi_alternatives* out) {
     dmi_alternative* added = &out->list[out->count++];
     added->type = candidate->type;
     added->confidence = confidence;
@@ -51,7 +51,7 @@ dm_result dmi_alternatives_find(dmi_arena* arena, const dmi_part_analysis* analy
         if (count == 0 || left[best] == TAKEN) break;
         const dmi_twist like = motions[best];
         const float mass = take_alike(&like, motions, count, left);
-        add(&candidates[best], dmi_ranker_confidence(ranker, dragged, mass), out);
+        add_alternative(&candidates[best], dmi_ranker_confidence(ranker, dragged, mass), out);
     }
     return DM_OK;
 }

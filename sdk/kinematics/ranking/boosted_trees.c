@@ -47,7 +47,7 @@ void dmi_boosted_trees_read(dmi_loader* loader, dmi_boosted_trees* out_trees) {
 }
 
 /* Returns the next node. It compares with >, not <=, so that a NaN goes left and stays in a leaf. */
-static inline uint32_t step(const dmi_tree_node* nodes, uint32_t node, const float* row) {
+static inline uint32_t next_node(const dmi_tree_node* nodes, uint32_t node, const float* row) {
     return nodes[node].left + (uint32_t)(row[nodes[node].column] > nodes[node].value);
 }
 
@@ -58,7 +58,7 @@ static void score_rows(const dmi_boosted_trees* trees, const float (*rows)[DMI_F
     for (uint32_t t = 0; t < used; t++) {
         uint32_t at[BATCH] = {0};
         for (uint32_t d = 0; d < trees->depth[t]; d++)
-            for (uint32_t r = 0; r < count; r++) at[r] = step(trees->nodes[t], at[r], rows[r]);
+            for (uint32_t r = 0; r < count; r++) at[r] = next_node(trees->nodes[t], at[r], rows[r]);
         for (uint32_t r = 0; r < count; r++) out_scores[r] += trees->scores[t][at[r]];
     }
 }

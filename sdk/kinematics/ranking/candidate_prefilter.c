@@ -13,8 +13,8 @@ void dmi_prefilter_read(dmi_loader* loader, dmi_prefilter* out_prefilter) {
 
 /* Scores the candidates. Neither this function nor keep_best() is inlined, so that the stack holds the arrays of one at
  * a time. */
-DMI_NO_INLINE static void score(const dmi_prefilter* prefilter, dmi_isa isa, const float (*rows)[DMI_FEATURE_COUNT],
-                                uint32_t count, float* out_scores) {
+DMI_NO_INLINE static void score_candidates(const dmi_prefilter* prefilter, dmi_isa isa,
+                                           const float (*rows)[DMI_FEATURE_COUNT], uint32_t count, float* out_scores) {
     _Alignas(DMI_ALIGNMENT) float x[BATCH][DMI_CHEAP_COLUMNS], hidden[BATCH][HIDDEN];
     float* const buffers[2] = {hidden[0], NULL};
     for (uint32_t first = 0; first < count; first += BATCH) {
@@ -78,6 +78,6 @@ uint32_t dmi_prefilter_keep(const dmi_prefilter* prefilter, const dmi_part_analy
     for (uint32_t i = 0; i < count; i++) dmi_cheap_features_row(&cheap, &candidates[i], rows[i]);
     if (ensemble != NULL) dmi_kpp_ensemble_score_first(net, isa, ensemble, candidates, count, scores);
     dmi_cheap_features_kpp_scores(ensemble != NULL ? scores : NULL, count, rows);
-    score(prefilter, isa, (const float(*)[DMI_FEATURE_COUNT])rows, count, scores);
+    score_candidates(prefilter, isa, (const float(*)[DMI_FEATURE_COUNT])rows, count, scores);
     return keep_best(scores, candidates, count);
 }

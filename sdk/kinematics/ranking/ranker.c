@@ -16,7 +16,7 @@
  * of object, 0 to 0.2 do about as well and 0.4 worse, most of all without a drag (docs/research/decisions.md, 31). */
 #define NETWORK_FREE_SHARE 0.2f
 
-static void fail(dmi_loader* loader, const char* what) {
+static void refuse_model(dmi_loader* loader, const char* what) {
     if (loader->result == DM_OK) loader->result = dmi_fail(loader->env, DM_ERROR_WRONG_MODEL, "ranker: %s", what);
 }
 
@@ -27,7 +27,7 @@ void dmi_ranker_read(dmi_loader* loader, dmi_ranker* out_ranker) {
     if (calibration != NULL) memcpy(out_ranker->calibration, calibration, sizeof out_ranker->calibration);
     for (int i = 0; calibration != NULL && i < 2; i++)
         if (!(out_ranker->calibration[i][0] > 0 && out_ranker->calibration[i][0] < STEEPEST))
-            fail(loader, "the calibration does not rise");
+            refuse_model(loader, "the calibration does not rise");
     dmi_boosted_trees_read(loader, &out_ranker->trees);
 }
 
@@ -88,8 +88,8 @@ static float rule_score(const float* f) {
 
 /* Scores by the mean of network and trees. The two err on different candidates, so the mean errs less than either
  * (measured). */
-static void score(const dmi_ranker* ranker, dmi_isa isa, const float (*features)[DMI_FEATURE_COUNT], uint32_t count,
-                  float* out_score) {
+static void score_candidates(const dmi_ranker* ranker, dmi_isa isa, const float (*features)[DMI_FEATURE_COUNT],
+                             uint32_t count, float* out_score) {
     if (ranker == NULL) {
         for (uint32_t i = 0; i < count; i++) out_score[i] = rule_score(features[i]);
         return;
@@ -102,7 +102,7 @@ static void score(const dmi_ranker* ranker, dmi_isa isa, const float (*features)
 
 void dmi_ranker_probabilities(const dmi_ranker* ranker, dmi_isa isa, const float (*features)[DMI_FEATURE_COUNT],
                               uint32_t count, float* out_probability) {
-    score(ranker, isa, features, count, out_probability);
+    score_candidates(ranker, isa, features, count, out_probability);
     dmi_softmax(out_probability, count);
 }
 
@@ -114,7 +114,7 @@ void dmi_ranker_geometry_probabilities(const dmi_ranker* ranker, dmi_isa isa,
         const uint32_t rows = count - first < BATCH ? count - first : BATCH;
         memcpy(x, features[first], rows * sizeof *x);
         hide_network(x, rows);
-        score(ranker, isa, (const float(*)[DMI_FEATURE_COUNT])x, rows, out_probability + first);
+        score_candidates(ranker, isa, (const float(*)[DMI_FEATURE_COUNT])x, rows, out_probability + first);
     }
     dmi_softmax(out_probability, count);
 }

@@ -92,7 +92,7 @@ static dm_result check_parts(dmi_env* env, const dm_gltf_rig_desc* desc) {
     return DM_OK;
 }
 
-static dm_result check(dmi_env* env, const dm_gltf_rig_desc* desc) {
+static dm_result check_desc(dmi_env* env, const dm_gltf_rig_desc* desc) {
     uint32_t known = DM_GLTF_RIG_GLB;
     dmi_axes axes;
     for (int i = 0; i < FORMATS; i++) known |= formats[i].bit;
@@ -132,7 +132,7 @@ static rig_file* add_file(dm_gltf_rig* rig, const char* before, const char* path
     return file;
 }
 
-static void warn(dmi_env* env, const char* name, const char* what) {
+static void log_warning(dmi_env* env, const char* name, const char* what) {
     char text[3 * DMI_RIG_NAME];
     if (env->log.message == NULL) return;
     snprintf(text, sizeof text, "%s: %s", name, what);
@@ -141,7 +141,7 @@ static void warn(dmi_env* env, const char* name, const char* what) {
 
 static void warn_of_joints(dm_gltf_rig* rig, const dmi_rig_model* model, const format* format) {
     for (uint32_t b = 0; b < model->body_count && format->screw != NULL; b++)
-        if (model->bodies[b].kind == DMI_RIG_SCREW) warn(&rig->env, model->bodies[b].joint_name, format->screw);
+        if (model->bodies[b].kind == DMI_RIG_SCREW) log_warning(&rig->env, model->bodies[b].joint_name, format->screw);
 }
 
 static dm_result print_files(dm_gltf_rig* rig, const dmi_rig_model* model, uint32_t asked) {
@@ -171,13 +171,13 @@ static dm_result write_glb(dm_gltf_rig* rig, dmi_rig_model* model) {
     return result;
 }
 
-static dm_result fill(dm_gltf_rig* rig, const dm_gltf_rig_desc* desc) {
+static dm_result make_files(dm_gltf_rig* rig, const dm_gltf_rig_desc* desc) {
     dmi_rig_model model;
     dm_result result = dmi_rig_model_make(&rig->env, desc, &model);
     for (uint32_t b = 0; b < model.body_count && result == DM_OK; b++)
         if (model.bodies[b].is_range_made)
-            warn(&rig->env, model.bodies[b].joint_name,
-                 "it slides without limits: the asset's size either way stands for them");
+            log_warning(&rig->env, model.bodies[b].joint_name,
+                        "it slides without limits: the asset's size either way stands for them");
     if (result == DM_OK) result = print_files(rig, &model, desc->formats);
     if (result == DM_OK && (desc->formats & DM_GLTF_RIG_GLB) && model.body_count > 1) result = write_glb(rig, &model);
     dmi_rig_model_close(&model);
@@ -192,12 +192,12 @@ dm_result dm_gltf_rig_make(const dm_gltf_rig_desc* desc, dm_gltf_rig** out_rig) 
     if (desc->struct_size != sizeof *desc) return DM_ERROR_STRUCT_SIZE;
     if ((desc->allocator.allocate == NULL) != (desc->allocator.release == NULL)) return DM_ERROR_INVALID_ARGUMENT;
     dmi_env_init(&env, &desc->allocator, &desc->log, NULL);
-    dm_result result = check(&env, desc);
+    dm_result result = check_desc(&env, desc);
     if (result != DM_OK) return result;
     dm_gltf_rig* rig = dmi_alloc_zeroed(&env, sizeof *rig, ALIGNMENT);
     if (rig == NULL) return dmi_fail(&env, DM_ERROR_OUT_OF_MEMORY, "dm_gltf_rig_make: no memory");
     dmi_env_init(&rig->env, &desc->allocator, &desc->log, NULL);
-    result = fill(rig, desc);
+    result = make_files(rig, desc);
     if (result == DM_OK)
         *out_rig = rig;
     else

@@ -48,7 +48,7 @@ static bool is_same_place(const float a[3], const float b[3]) {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-static bool weld(dmi_rig_model* model, finder* f) {
+static bool weld_points(dmi_rig_model* model, finder* f) {
     const uint32_t count = f->mesh->point_count, mask = table_mask(count);
     uint32_t* table = dmi_rig_push(model, (size_t)mask + 1, sizeof *table);
     if (table == NULL) return false;
@@ -73,7 +73,7 @@ static uint32_t root_of(finder* f, uint32_t point) {
     return point;
 }
 
-static void join(finder* f, uint32_t a, uint32_t b) {
+static void join_pieces(finder* f, uint32_t a, uint32_t b) {
     const uint32_t first = root_of(f, a), second = root_of(f, b);
     if (first < second)
         f->parents[second] = first;
@@ -101,7 +101,7 @@ static bool add_faces(dmi_rig_model* model, finder* f) {
         uint32_t corners[3];
         for (int k = 0; k < 3; k++) corners[k] = f->welded[f->mesh->faces[i][k]];
         for (int k = 0; k < 3; k++) {
-            join(f, corners[k], corners[(k + 1) % 3]);
+            join_pieces(f, corners[k], corners[(k + 1) % 3]);
             if (corners[k] != corners[(k + 1) % 3]) add_edge(f, corners[k], corners[(k + 1) % 3]);
         }
     }
@@ -135,7 +135,7 @@ dm_result dmi_find_pieces(dmi_rig_model* model, const dmi_rig_mesh* mesh, dmi_me
     uint32_t* numbers = dmi_rig_push(model, mesh->point_count, sizeof *numbers);
     if (out->faces == NULL || out->is_open == NULL || f.welded == NULL || f.parents == NULL || numbers == NULL)
         return DM_ERROR_OUT_OF_MEMORY;
-    if (!weld(model, &f) || !add_faces(model, &f)) return DM_ERROR_OUT_OF_MEMORY;
+    if (!weld_points(model, &f) || !add_faces(model, &f)) return DM_ERROR_OUT_OF_MEMORY;
     number_pieces(&f, numbers, out);
     return DM_OK;
 }

@@ -149,7 +149,7 @@ static cJSON* add_limit(writer* w, cJSON* limits, const char* axes, int first, i
     return limit;
 }
 
-static void bound(writer* w, cJSON* limit, double lower, double upper) {
+static void set_bounds(writer* w, cJSON* limit, double lower, double upper) {
     dmi_edit_number(&w->edit, limit, "min", lower);
     dmi_edit_number(&w->edit, limit, "max", upper);
 }
@@ -161,9 +161,9 @@ static int32_t add_description(writer* w, const dmi_rig_body* body) {
     const char *free_axes = slides ? "linearAxes" : "angularAxes", *locked = slides ? "angularAxes" : "linearAxes";
     const double unit = slides ? unit_of(w) : 1, squared = unit_of(w) * unit_of(w);
     cJSON *joint = dmi_edit_new(e, cJSON_CreateObject()), *limits = dmi_edit_list(e, joint, "limits");
-    bound(w, add_limit(w, limits, locked, 0, 3), 0, 0);
-    bound(w, add_limit(w, limits, free_axes, 1, 2), 0, 0);
-    if (limited) bound(w, add_limit(w, limits, free_axes, 0, 1), body->lower / unit, body->upper / unit);
+    set_bounds(w, add_limit(w, limits, locked, 0, 3), 0, 0);
+    set_bounds(w, add_limit(w, limits, free_axes, 1, 2), 0, 0);
+    if (limited) set_bounds(w, add_limit(w, limits, free_axes, 0, 1), body->lower / unit, body->upper / unit);
     if (body->damping > 0) {
         cJSON* drive = dmi_edit_new(e, cJSON_CreateObject());
         dmi_edit_text(e, drive, "type", slides ? "linear" : "angular");

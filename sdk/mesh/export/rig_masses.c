@@ -159,7 +159,7 @@ static bool is_positive(const double m[3][3]) {
 
 /* Writes mass, centre and inertia. Moments that no body can have, such as those of pieces that cross themselves, keep
  * their trace. */
-static void weigh(const moments* sums, dmi_rig_body* body) {
+static void weigh_body(const moments* sums, dmi_rig_body* body) {
     double spread[3][3], trace = 0;
     const bool has_mass = sums->mass > 0;
     for (int k = 0; k < 3; k++) body->centre[k] = has_mass ? sums->first[k] / sums->mass : 0;
@@ -202,7 +202,7 @@ dm_result dmi_rig_make_masses(dmi_rig_model* model) {
             if (result != DM_OK) return result;
         }
         model->box_count += body->box_count;
-        weigh(&sums, body);
+        weigh_body(&sums, body);
         set_resistance(&model->values, body);
     }
     return DM_OK;

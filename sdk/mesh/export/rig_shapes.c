@@ -147,7 +147,7 @@ static dm_result add_shapes(dmi_rig_model* model, uint32_t body, const uint32_t*
 }
 
 /* Measures the box of the nodes' meshes, by which rounding is judged. */
-static dm_result measure(dmi_rig_model* model) {
+static dm_result measure_asset(dmi_rig_model* model) {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     bool any = false;
     for (uint32_t n = 0; n < model->desc->node_count; n++) {
@@ -172,7 +172,7 @@ static dm_result measure(dmi_rig_model* model) {
 
 dm_result dmi_rig_make_shapes(dmi_rig_model* model, const uint32_t* part_bodies) {
     const uint32_t count = model->desc->node_count;
-    dm_result result = measure(model);
+    dm_result result = measure_asset(model);
     if (result != DM_OK) return result;
     model->meshes = dmi_rig_push(model, count, sizeof *model->meshes);
     model->shapes = dmi_rig_push(model, count, sizeof *model->shapes);

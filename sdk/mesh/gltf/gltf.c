@@ -96,7 +96,7 @@ static dm_result open_checked(const dm_gltf_desc* desc, const dmi_gltf_on_disk* 
     gltf->on_disk = *on_disk;
     gltf->files = on_disk->folder ? dmi_gltf_folder_files(gltf) : desc->files;
     dmi_gltf_problem problem = {.code = DM_OK};
-    const dm_result result = load(gltf, desc, &problem);
+    const dm_result result = load_document(gltf, desc, &problem);
     dmi_gltf_log_warnings(&gltf->env, &gltf->warnings);
     if (result == DM_OK) {
         *out_gltf = gltf;

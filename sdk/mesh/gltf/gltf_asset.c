@@ -177,7 +177,7 @@ static dm_result copy_meshes(dm_gltf* gltf, dmi_gltf_asset* asset, dmi_gltf_prob
 
 /* ---- the whole ---- */
 
-static dm_result list(dm_gltf* gltf, dmi_gltf_asset* asset, dmi_gltf_problem* problem) {
+static dm_result list_asset(dm_gltf* gltf, dmi_gltf_asset* asset, dmi_gltf_problem* problem) {
     const uint32_t nodes = gltf->document.counts[DMI_GLTF_NODES];
     dmi_arena* arena = &asset->arena;
     asset->places = dmi_gltf_push(gltf, arena, nodes, sizeof *asset->places, problem);
@@ -196,9 +196,9 @@ static dm_result list(dm_gltf* gltf, dmi_gltf_asset* asset, dmi_gltf_problem* pr
     return DM_OK;
 }
 
-static dm_result build(dm_gltf* gltf, dmi_gltf_asset* asset, dmi_gltf_problem* problem) {
+static dm_result build_asset(dm_gltf* gltf, dmi_gltf_asset* asset, dmi_gltf_problem* problem) {
     gltf->bytes_left = gltf->bytes_most;
-    dm_result result = list(gltf, asset, problem);
+    dm_result result = list_asset(gltf, asset, problem);
     if (result == DM_OK) result = copy_meshes(gltf, asset, problem);
     if (result == DM_OK) result = dmi_gltf_read_clips(gltf, asset, problem);
     return result == DM_OK ? dmi_gltf_read_joints(gltf, asset, problem) : result;
@@ -216,7 +216,7 @@ static dm_result open_asset(dm_gltf* gltf) {
     gltf->asset = dmi_alloc_zeroed(&gltf->env, sizeof *gltf->asset, 16);
     if (!gltf->asset) return dmi_fail(&gltf->env, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for an asset");
     dmi_arena_init(&gltf->asset->arena, &gltf->env, BLOCK_SIZE);
-    const dm_result result = build(gltf, gltf->asset, &problem);
+    const dm_result result = build_asset(gltf, gltf->asset, &problem);
     dmi_gltf_log_warnings(&gltf->env, &gltf->warnings);
     if (result == DM_OK) return DM_OK;
     dmi_gltf_release_asset(gltf);

@@ -139,8 +139,8 @@ dm_result dmi_gltf_find_stored(dm_gltf* gltf, const cJSON* view, const char* pla
     return DM_OK;
 }
 
-static dm_result decode(dm_gltf* gltf, const cJSON* extension, const char* place, dmi_gltf_problem* problem,
-                        dmi_gltf_decoded* out) {
+static dm_result decode_meshopt(dm_gltf* gltf, const cJSON* extension, const char* place, dmi_gltf_problem* problem,
+                                dmi_gltf_decoded* out) {
     dmi_gltf_view stored;
     dm_result result = dmi_gltf_find_stored(gltf, extension, place, problem, &stored);
     if (result != DM_OK) return result;
@@ -191,7 +191,7 @@ dm_result dmi_gltf_find_view(dm_gltf* gltf, double index, const char* place, dmi
     dmi_gltf_decoded* decoded = &gltf->decoded[position];
     if (decoded->refused) return dmi_gltf_find_stored(gltf, view, place, problem, out);
     if (!decoded->data) {
-        const dm_result result = decode(gltf, extension, place, problem, decoded);
+        const dm_result result = decode_meshopt(gltf, extension, place, problem, decoded);
         if (result != DM_OK) return refuse_meshopt(gltf, view, decoded, place, problem, out);
     }
     *out = (dmi_gltf_view){decoded->data, decoded->size, 0};

@@ -57,7 +57,7 @@ static void copy_values(const dmi_copy* copy, attribute* a) {
 /* ---- vertices that bones have placed ---- */
 
 /* Computes m * v, or for normals cofactor(m) * v, which stays perpendicular. */
-static void turn(const double m[16], int is_normal, const double v[3], double out[3]) {
+static void turn_vector(const double m[16], int is_normal, const double v[3], double out[3]) {
     double c[9];
     for (int column = 0; column < 3; column++) {
         const double *p = m + 4 * (size_t)((column + 1) % 3), *q = m + 4 * (size_t)((column + 2) % 3);
@@ -84,7 +84,7 @@ static void place_values(dmi_edit* e, const dmi_copy* copy, attribute* a) {
         double from[4] = {0, 0, 0, 1}, turned[3];
         for (int k = 0; k < width && k < a->from.components; k++)
             from[k] = dmi_gltf_element(&a->from, copy->elements[v], k);
-        turn(copy->placed, is_normal, from, turned);
+        turn_vector(copy->placed, is_normal, from, turned);
         for (int k = 0; k < 3; k++)
             to[k] = is_position ? e->from->positions[3 * (size_t)copy->vertices[v] + (size_t)k] : (float)turned[k];
         if (width == 4) to[3] = (float)from[3];

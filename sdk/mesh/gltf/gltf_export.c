@@ -294,7 +294,7 @@ static void add_track(exporter* x, cJSON* animation, uint32_t track) {
     add_child(e, node.json, x->carriers[track].index);
 }
 
-static dm_result run(exporter* x, void** out_data, size_t* out_size) {
+static dm_result write_export(exporter* x, void** out_data, size_t* out_size) {
     dmi_edit* e = &x->edit;
     cJSON* animation = x->track_count > 0 ? dmi_animation_add(e, "dragmesh") : NULL;
     const int32_t first = (int32_t)e->counts[DMI_GLTF_NODES];
@@ -359,7 +359,7 @@ dm_result dm_gltf_export(const dm_gltf* gltf, const dm_gltf_track* tracks, uint3
     dm_result result = open_exporter(&x, &env);
     if (result == DM_OK) {
         dmi_edit_open(&x.edit, &env, file);
-        result = run(&x, out_data, out_size);
+        result = write_export(&x, out_data, out_size);
     }
     close_exporter(&x, &env);
     dmi_gltf_log_warnings(&env, &file->warnings);

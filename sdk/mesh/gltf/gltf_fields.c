@@ -204,7 +204,7 @@ static void write_value(const cJSON* value, char* out, size_t size) {
         snprintf(out, size, "%s", cJSON_IsString(value) ? "a text" : cJSON_IsObject(value) ? "an object" : "null");
 }
 
-static dm_result refuse(const place* at, const char* must, const cJSON* value, dmi_gltf_problem* problem) {
+static dm_result refuse_field(const place* at, const char* must, const cJSON* value, dmi_gltf_problem* problem) {
     char name[192], is[40];
     write_place(at, name, sizeof name);
     write_value(value, is, sizeof is);
@@ -245,9 +245,9 @@ static dm_result check_members(const checker* c, const field* fields, const cJSO
 
 static dm_result check_cell(const checker* c, const cJSON* value, const place* at) {
     const int must = last_of_column(at->index);
-    if (!is_number(value)) return refuse(at, "a number", value, c->problem);
+    if (!is_number(value)) return refuse_field(at, "a number", value, c->problem);
     if (must < 0 || fabs(value->valuedouble - must) <= ROW_ERROR) return DM_OK;
-    return refuse(at, must ? "1, as the last column ends" : "0, as columns end", value, c->problem);
+    return refuse_field(at, must ? "1, as the last column ends" : "0, as columns end", value, c->problem);
 }
 
 static dm_result check_item(const checker* c, const field* f, const cJSON* value, const place* at) {
@@ -255,29 +255,29 @@ static dm_result check_item(const checker* c, const field* f, const cJSON* value
     char must[64];
     if (is_index(value) && value->valuedouble < count) return DM_OK;
     snprintf(must, sizeof must, "the index of one of %u %s", count, dmi_gltf_list_names[f->of]);
-    return refuse(at, must, value, c->problem);
+    return refuse_field(at, must, value, c->problem);
 }
 
 static dm_result check_value(const checker* c, const field* f, const cJSON* value, const place* at) {
     switch (f->kind) {
     case OBJECT:
         if (cJSON_IsObject(value)) return check_members(c, f->fields, value, at);
-        return refuse(at, "an object", value, c->problem);
+        return refuse_field(at, "an object", value, c->problem);
     case TEXT:
-        return cJSON_IsString(value) ? DM_OK : refuse(at, "a text", value, c->problem);
+        return cJSON_IsString(value) ? DM_OK : refuse_field(at, "a text", value, c->problem);
     case TRUTH:
-        return cJSON_IsBool(value) ? DM_OK : refuse(at, "true or false", value, c->problem);
+        return cJSON_IsBool(value) ? DM_OK : refuse_field(at, "true or false", value, c->problem);
     case NUMBER:
-        return is_number(value) ? DM_OK : refuse(at, "a number", value, c->problem);
+        return is_number(value) ? DM_OK : refuse_field(at, "a number", value, c->problem);
     case FLOAT:
         if (is_number(value) && fabs(value->valuedouble) <= FLT_MAX) return DM_OK;
-        return refuse(at, "a number that a float holds", value, c->problem);
+        return refuse_field(at, "a number that a float holds", value, c->problem);
     case WRAP:
-        return is_wrap(value) ? DM_OK : refuse(at, "10497, 33071 or 33648", value, c->problem);
+        return is_wrap(value) ? DM_OK : refuse_field(at, "10497, 33071 or 33648", value, c->problem);
     case CELL:
         return check_cell(c, value, at);
     case INDEX:
-        return is_index(value) ? DM_OK : refuse(at, "an index", value, c->problem);
+        return is_index(value) ? DM_OK : refuse_field(at, "an index", value, c->problem);
     default:
         return check_item(c, f, value, at);
     }
@@ -291,7 +291,7 @@ static dm_result check_field(const checker* c, const field* f, const cJSON* valu
     if (f->count == 0) return check_value(c, f, value, &at);
     if (f->count > 0) snprintf(must, sizeof must, "a list of %d", f->count);
     if (!cJSON_IsArray(value) || (f->count > 0 && cJSON_GetArraySize(value) != f->count))
-        return refuse(&at, must, value, c->problem);
+        return refuse_field(&at, must, value, c->problem);
     cJSON_ArrayForEach(item, value) {
         const dm_result result = check_value(c, f, item, &item_at);
         if (result != DM_OK) return result;

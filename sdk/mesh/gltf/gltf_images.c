@@ -21,7 +21,7 @@ static const char* media_type(const uint8_t* data, size_t size) {
     return size >= 12 && memcmp(data, "RIFF", 4) == 0 && memcmp(data + 8, "WEBP", 4) == 0 ? "image/webp" : NULL;
 }
 
-static void embed(dmi_edit* e, cJSON* image, const char* path) {
+static void embed_image(dmi_edit* e, cJSON* image, const char* path) {
     const dm_gltf_files* files = &e->from->files;
     const void* data;
     size_t size = 0;
@@ -51,7 +51,7 @@ void dmi_images_embed(dmi_edit* e) {
         if (!path)
             dmi_gltf_refuse(&e->problem, DM_ERROR_OUT_OF_MEMORY, "glTF: no memory for a path");
         else if (dmi_uri_to_path(uri, &elsewhere, path) == DM_OK)
-            embed(e, image, path);
+            embed_image(e, image, path);
         dmi_free(e->env, path, room);
     }
 }

@@ -13,8 +13,8 @@
 /* ---- lists ---- */
 
 /* Makes room for one more item of a list. Returns NULL on a failure, and `problem` says why. */
-static void* grow(dm_gltf* gltf, void* items, uint32_t count, uint32_t* capacity, size_t size,
-                  dmi_gltf_problem* problem) {
+static void* grow_list(dm_gltf* gltf, void* items, uint32_t count, uint32_t* capacity, size_t size,
+                       dmi_gltf_problem* problem) {
     if (count < *capacity) return items;
     const uint32_t larger = *capacity ? 2 * *capacity : 16;
     if (dmi_gltf_spend(gltf, larger, size, "glTF: the nodes", problem) != DM_OK) return NULL;
@@ -30,7 +30,7 @@ static void* grow(dm_gltf* gltf, void* items, uint32_t count, uint32_t* capacity
 }
 
 static dm_gltf_node* add_node(dm_gltf* gltf, uint32_t node, dmi_gltf_problem* problem) {
-    dm_gltf_node* nodes = grow(gltf, gltf->nodes, gltf->node_count, &gltf->node_capacity, sizeof *nodes, problem);
+    dm_gltf_node* nodes = grow_list(gltf, gltf->nodes, gltf->node_count, &gltf->node_capacity, sizeof *nodes, problem);
     if (!nodes) return NULL;
     gltf->nodes = nodes;
     nodes += gltf->node_count++;
@@ -44,7 +44,7 @@ static dm_gltf_node* add_node(dm_gltf* gltf, uint32_t node, dmi_gltf_problem* pr
 
 static dmi_gltf_piece* add_piece(dm_gltf* gltf, dmi_gltf_problem* problem) {
     dmi_gltf_piece* pieces =
-        grow(gltf, gltf->pieces, gltf->piece_count, &gltf->piece_capacity, sizeof *pieces, problem);
+        grow_list(gltf, gltf->pieces, gltf->piece_count, &gltf->piece_capacity, sizeof *pieces, problem);
     if (!pieces) return NULL;
     gltf->pieces = pieces;
     return pieces + gltf->piece_count++;
@@ -52,7 +52,7 @@ static dmi_gltf_piece* add_piece(dm_gltf* gltf, dmi_gltf_problem* problem) {
 
 /* ---- common ---- */
 
-static void transform(const double m[16], const float local[3], double out[3]) {
+static void transform_point(const double m[16], const float local[3], double out[3]) {
     for (int row = 0; row < 3; row++)
         out[row] =
             m[row] * (double)local[0] + m[4 + row] * (double)local[1] + m[8 + row] * (double)local[2] + m[12 + row];
@@ -94,7 +94,7 @@ dm_result dmi_gltf_add_rigid(dm_gltf* gltf, const dmi_gltf_shape* shape, uint32_
     }
     for (uint64_t v = 0; v < shape->vertex_count; v++) {
         double position[3];
-        transform(world, shape->local + 3 * v, position);
+        transform_point(world, shape->local + 3 * v, position);
         store_position(gltf, gltf->vertex_count + v, position);
     }
     const dm_result result = dmi_gltf_tell(gltf, 0, shape->vertex_count, problem);
@@ -189,7 +189,7 @@ static void clear_starts(skinner* s) {
 
 /* Sorts vertices and faces by joint, in the order of the file where that is the same. A face goes with two of its
  * corners, or with the first. */
-static void sort(skinner* s) {
+static void sort_by_joint(skinner* s) {
     const uint64_t vertices = s->shape->vertex_count, faces = s->shape->face_count;
     clear_starts(s);
     for (uint64_t v = 0; v < vertices; v++) s->starts[s->joints[v] + 1]++;
@@ -274,7 +274,7 @@ dm_result dmi_gltf_add_skinned(dm_gltf* gltf, const dmi_gltf_shape* shape, uint3
     if (result == DM_OK) result = open_skinner(&s, place, &here);
     if (result == DM_OK) result = find_places(&s, place, &here);
     if (result == DM_OK) {
-        sort(&s);
+        sort_by_joint(&s);
         fill_vertices(&s);
         result = fill_faces(&s, &here);
         gltf->vertex_count += shape->vertex_count;

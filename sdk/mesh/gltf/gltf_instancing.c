@@ -151,7 +151,8 @@ static dm_result add_nodes(dm_gltf* gltf, const instances* from, cJSON* nodes, u
 }
 
 /* Unrolls the instances of one node. */
-static dm_result unroll(dm_gltf* gltf, uint32_t index, cJSON* nodes, uint32_t* inout_count, dmi_gltf_problem* problem) {
+static dm_result unroll_node(dm_gltf* gltf, uint32_t index, cJSON* nodes, uint32_t* inout_count,
+                             dmi_gltf_problem* problem) {
     cJSON* node = gltf->document.items[DMI_GLTF_NODES][index];
     const cJSON* extension = dmi_json_get(dmi_json_get(node, "extensions"), DMI_INSTANCING_NAME);
     char place[NAME_SIZE];
@@ -180,7 +181,7 @@ dm_result dmi_gltf_unroll_instances(dm_gltf* gltf, dmi_gltf_problem* problem) {
     cJSON* nodes = cJSON_GetObjectItemCaseSensitive(gltf->document.root, "nodes");
     uint32_t count = before;
     for (uint32_t i = 0; i < before; i++) {
-        const dm_result result = unroll(gltf, i, nodes, &count, problem);
+        const dm_result result = unroll_node(gltf, i, nodes, &count, problem);
         if (result != DM_OK) return result;
     }
     return count > before ? dmi_gltf_list_again(&gltf->env, &gltf->document, DMI_GLTF_NODES, problem) : DM_OK;

@@ -176,7 +176,7 @@ static void read_names(const dm_gltf* gltf, const uint8_t* solid, level* levels,
 }
 
 /* Marks what lies in a coarser level as coarser too. */
-static void spread(const dm_gltf* gltf, int32_t* finest) {
+static void spread_levels(const dm_gltf* gltf, int32_t* finest) {
     for (uint32_t at = 0; at < gltf->order_count; at++) {
         const uint32_t node = gltf->order[at];
         const int32_t parent = gltf->tree[node].parent;
@@ -193,7 +193,7 @@ dm_result dmi_gltf_find_finest(dm_gltf* gltf, const uint8_t* solid, dmi_gltf_pro
     for (uint32_t i = 0; i < count; i++) out_finest[i] = -1;
     read_extensions(gltf, solid, out_finest);
     read_names(gltf, solid, levels, out_finest);
-    spread(gltf, out_finest);
+    spread_levels(gltf, out_finest);
     dmi_free(&gltf->env, levels, count * sizeof *levels);
     return DM_OK;
 }

@@ -181,7 +181,7 @@ static dm_result find_carriers(dm_gltf* gltf, dmi_gltf_problem* problem) {
     return DM_OK;
 }
 
-static dm_result merge(merger* m, dmi_gltf_problem* problem) {
+static dm_result merge_nodes(merger* m, dmi_gltf_problem* problem) {
     dm_gltf* gltf = m->gltf;
     const uint32_t nodes = gltf->document.counts[DMI_GLTF_NODES];
     dm_result result = dmi_gltf_spend(gltf, nodes, sizeof *m->instances, "glTF: the nodes", problem);
@@ -217,7 +217,7 @@ dm_result dmi_gltf_merge(dm_gltf* gltf, dmi_gltf_problem* problem) {
                 .low = {INFINITY, INFINITY, INFINITY},
                 .high = {-INFINITY, -INFINITY, -INFINITY}};
     dmi_gltf_mark_joints(gltf);
-    const dm_result result = merge(&m, problem);
+    const dm_result result = merge_nodes(&m, problem);
     dmi_free(&gltf->env, m.instances, gltf->document.counts[DMI_GLTF_NODES] * sizeof *m.instances);
     dmi_gltf_builder_close(&m.builder);
     return result;

@@ -80,7 +80,7 @@ int dmi_meshopt_available(void) {
 }
 
 /* Undoes the filter in place. */
-static void unfilter(const dmi_meshopt_view* view, uint8_t* out) {
+static void undo_filter(const dmi_meshopt_view* view, uint8_t* out) {
     if (is(view->filter, "OCTAHEDRAL")) meshopt_decodeFilterOct(out, view->count, view->stride);
     if (is(view->filter, "QUATERNION")) meshopt_decodeFilterQuat(out, view->count, view->stride);
     if (is(view->filter, "EXPONENTIAL")) meshopt_decodeFilterExp(out, view->count, view->stride);
@@ -97,7 +97,7 @@ dm_result dmi_meshopt_decode(const dmi_meshopt_view* view, const char* place, dm
     if (status != 0)
         return dmi_gltf_refuse(problem, DM_ERROR_BAD_DATA, "%s: meshopt data that can't be decoded (%d)", place,
                                status);
-    if (is(view->mode, "ATTRIBUTES")) unfilter(view, out);
+    if (is(view->mode, "ATTRIBUTES")) undo_filter(view, out);
     return DM_OK;
 }
 

@@ -16,7 +16,7 @@ static dm_result claim_faces(dmi_moves* m, dmi_env* env, const dm_gltf_track* tr
     return DM_OK;
 }
 
-static int32_t join(int32_t a, int32_t b) {
+static int32_t join_owners(int32_t a, int32_t b) {
     if (a == b || b == DMI_MOVES_EMPTY) return a;
     return a == DMI_MOVES_EMPTY ? b : DMI_MOVES_MIXED;
 }
@@ -29,7 +29,7 @@ static void find_own(dmi_moves* m) {
         int32_t* own = &m->own[piece->mesh_node];
         for (uint64_t face = piece->first_face; face < piece->first_face + piece->face_count; face++) {
             const int32_t moves = (int32_t)m->owners[face] - 1;
-            *own = join(*own, piece->joint >= 0 && moves >= 0 ? DMI_MOVES_MIXED : moves);
+            *own = join_owners(*own, piece->joint >= 0 && moves >= 0 ? DMI_MOVES_MIXED : moves);
         }
     }
 }
@@ -42,7 +42,7 @@ static void find_below(dmi_moves* m) {
     for (uint32_t at = gltf->order_count; at-- > 0;) {
         const uint32_t node = gltf->order[at];
         const int32_t parent = gltf->tree[node].parent;
-        if (parent >= 0) m->below[parent] = join(m->below[parent], m->below[node]);
+        if (parent >= 0) m->below[parent] = join_owners(m->below[parent], m->below[node]);
     }
 }
 

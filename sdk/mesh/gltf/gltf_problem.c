@@ -30,7 +30,7 @@ void dmi_gltf_warn(dmi_gltf_warnings* warnings, const char* format, ...) {
 }
 
 /* Writes the quotes, each cut to QUOTE_SIZE, and how many warnings go without one. */
-static void join(const dmi_gltf_warnings* warnings, char* out, size_t size) {
+static void join_quotes(const dmi_gltf_warnings* warnings, char* out, size_t size) {
     const uint32_t quoted = warnings->count < DMI_GLTF_NAMED_WARNINGS ? warnings->count : DMI_GLTF_NAMED_WARNINGS;
     int length = snprintf(out, size, "glTF: %u warnings", warnings->count);
     for (uint32_t i = 0; i < quoted; i++)
@@ -44,7 +44,7 @@ void dmi_gltf_log_warnings(dmi_env* env, dmi_gltf_warnings* warnings) {
     char all[sizeof *warnings->texts];
     const char* text = warnings->texts[0];
     if (warnings->count > 1) {
-        join(warnings, all, sizeof all);
+        join_quotes(warnings, all, sizeof all);
         dmi_utf8_mend(all);
         text = all;
     }

@@ -64,7 +64,7 @@ static void read_value(const dmi_gltf_sampler* s, uint64_t key, int which, doubl
 }
 
 /* Writes the value a share `t` of the way from a to b. Rotations take the shorter arc. */
-static void mix(const double a[4], const double b[4], double t, int components, double out[4]) {
+static void mix_values(const double a[4], const double b[4], double t, int components, double out[4]) {
     double from = 1 - t, to = t, cosine = 0;
     for (int k = 0; components == 4 && k < 4; k++) cosine += a[k] * b[k];
     const double sign = cosine < 0 ? -1 : 1;
@@ -115,8 +115,8 @@ void dmi_gltf_sample(const dmi_gltf_sampler* sampler, double time, double out[4]
         double next[4];
         read_value(sampler, key + 1, ITSELF, next);
         if (sampler->components == 4) dmi_gltf_normalize(next);
-        mix((double[4]){out[0], out[1], out[2], sampler->components == 4 ? out[3] : 0}, next, t, sampler->components,
-            out);
+        mix_values((double[4]){out[0], out[1], out[2], sampler->components == 4 ? out[3] : 0}, next, t,
+                   sampler->components, out);
     }
     if (sampler->components == 4) dmi_gltf_normalize(out);
 }

@@ -113,7 +113,7 @@ static uint64_t corner_of(int32_t mode, uint64_t face, uint32_t corner) {
 }
 
 /* Spreads the `count` corners of a strip or fan, which lie at the end of `out`, to whole triangles. */
-static void spread(int32_t mode, const uint32_t* corners, uint64_t faces, uint32_t* out) {
+static void spread_corners(int32_t mode, const uint32_t* corners, uint64_t faces, uint32_t* out) {
     for (uint64_t face = 0; face < faces; face++) {
         for (uint32_t corner = 0; corner < 3; corner++) out[3 * face + corner] = corners[corner_of(mode, face, corner)];
     }
@@ -218,7 +218,7 @@ static dm_result read_corners(dmi_gltf_builder* builder, dmi_gltf_shape* shape, 
     else
         for (uint64_t i = 0; i < count; i++) list[i] = (uint32_t)i;
     if (!listed) {
-        spread(from->mode, list, faces, out);
+        spread_corners(from->mode, list, faces, out);
         dmi_free(&gltf->env, list, count * sizeof *list);
     }
     return check_corners(builder, from, out, out_faces, place, problem);

@@ -78,8 +78,8 @@ void dmi_gltf_close_skin(dmi_env* env, dmi_gltf_skin* skin) {
 
 /* Writes the blended place of a vertex. Returns its heaviest joint, or -1 for none, and the sum of weights that others
  * have. */
-static int64_t blend(const dmi_gltf_skin* skin, const dmi_gltf_geometry* from, uint32_t element, const float local[3],
-                     double out[3], double* out_others) {
+static int64_t blend_vertex(const dmi_gltf_skin* skin, const dmi_gltf_geometry* from, uint32_t element,
+                            const float local[3], double out[3], double* out_others) {
     double sum = 0, heaviest = 0, at[3] = {0, 0, 0};
     int64_t best = -1;
     for (uint32_t i = 0; i < 4 * from->joint_sets; i++) {
@@ -107,8 +107,8 @@ int64_t dmi_gltf_skin_vertices(const dmi_gltf_skin* skin, const dmi_gltf_shape* 
         const dmi_gltf_group* group = &shape->groups[g];
         for (uint64_t v = group->first_vertex; v < group->first_vertex + group->vertex_count; v++) {
             double others;
-            const int64_t joint =
-                blend(skin, &group->geometry, shape->elements[v], shape->local + 3 * v, out_positions[v], &others);
+            const int64_t joint = blend_vertex(skin, &group->geometry, shape->elements[v], shape->local + 3 * v,
+                                               out_positions[v], &others);
             if (joint < 0) return -1;
             out_joints[v] = (uint32_t)joint;
             mixed += others > SMALL_WEIGHT;

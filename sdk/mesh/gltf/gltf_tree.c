@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* Composes translation, rotation and scale (glTF 2.0 §5.25). */
-static void compose(const cJSON* node, double out[16]) {
+static void compose_matrix(const cJSON* node, double out[16]) {
     double q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1}, t[3] = {0, 0, 0};
     dmi_json_numbers(node, "rotation", 4, q);
     dmi_json_numbers(node, "scale", 3, s);
@@ -15,10 +15,10 @@ static void compose(const cJSON* node, double out[16]) {
 }
 
 void dmi_gltf_local_matrix(const cJSON* node, double out[16]) {
-    if (!dmi_json_numbers(node, "matrix", 16, out)) compose(node, out);
+    if (!dmi_json_numbers(node, "matrix", 16, out)) compose_matrix(node, out);
 }
 
-/* Returns whether `node` has a rotation without a direction, which compose takes as none. */
+/* Returns whether `node` has a rotation without a direction, which compose_matrix takes as none. */
 static int is_turned_nowhere(const cJSON* node) {
     double q[4] = {0, 0, 0, 1};
     dmi_json_numbers(node, "rotation", 4, q);
