@@ -1,4 +1,4 @@
-/* Asset handles: made of a host's nodes, queried, and made into objects. */
+/* Asset handles: they are made of a host's nodes, queried, and made into objects. */
 #include "api_asset.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@
 #include "api_object.h"
 #include "base/fp_environment.h"
 
-#define NODES_BLOCK ((size_t)1 << 14) /* bytes, of the arena of copied nodes; by hand */
+#define NODES_BLOCK ((size_t)1 << 14) /* bytes of a block of the arena of copied nodes; by hand */
 #define MERGED 0.05f                  /* share of the work, when the meshes are merged; by hand */
 #define USUAL_MOVES 0.5f              /* dm_asset_desc.min_moves by default */
 
@@ -36,7 +36,7 @@ static dm_result check_desc(dmi_env* env, const dm_asset_desc* desc) {
     return result;
 }
 
-/* Degraded answers of an asset's joints, motion networks aside. */
+/* Returns the degraded answers of an asset's joints, without those of motion networks. */
 static uint32_t degraded_of(const dmi_asset* asset) {
     if (asset->object == NULL) return 0;
     return asset->object->degraded | (asset->object->parts[0].shape.face_count == 0 ? DM_DEGRADED_NO_BODY : 0);

@@ -146,7 +146,7 @@ dm_result dmi_asset_joints_accept(dmi_env* env, dm_asset_node* nodes, uint32_t c
         if (nodes[i].joint == NULL) continue;
         char what[FIELD_TEXT];
         snprintf(what, sizeof what, "dm_asset_create: desc.nodes[%u].joint", i);
-        /* The copy is ours: dmi_asset_nodes_read has made it. */
+        /* The copy belongs to the library: dmi_asset_nodes_read has made it. */
         const dm_result result = dmi_joint_accept(env, what, size, (dm_joint*)nodes[i].joint);
         if (result != DM_OK) return result;
     }

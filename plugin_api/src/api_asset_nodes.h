@@ -4,11 +4,11 @@
 
 #include "base/arena.h"
 
-/* Copies the host's nodes, of any version, into the arena, with what they point to where that has versions too: meshes
- * and joints. Errors name the node and the field. */
+/* Copies the host's nodes, of any version, into the arena, with the meshes and joints that they point to, which have
+ * versions too. Errors name the node and the field. */
 dm_result dmi_asset_nodes_read(dmi_arena* arena, const dm_asset_desc* desc, dm_asset_node** out_nodes);
 
-/* Makes the axes of the nodes' joints unit and their limits those of their types. size: of the asset, host units. */
+/* Makes the axes of the nodes' joints unit and their limits those of their types. size: the asset's, host units. */
 dm_result dmi_asset_joints_accept(dmi_env* env, dm_asset_node* nodes, uint32_t count, float size);
 
 #endif

@@ -10,8 +10,8 @@
 #include "base/utf8.h"
 #include "math/dual_quat.h"
 
-#define MAX_STRUCT_SIZE 4096 /* bytes; by hand: a larger struct_size was never set */
-#define MAX_WARNING 512      /* bytes of a warning, longer ones are cut; as of an error */
+#define MAX_STRUCT_SIZE 4096 /* bytes; a larger struct_size was never set on purpose; by hand */
+#define MAX_WARNING 512      /* bytes of a warning, as of an error; longer ones are cut */
 
 void dmi_warn(dmi_env* env, const char* format, ...) {
     if (env->log.message == NULL) return;

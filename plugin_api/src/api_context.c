@@ -133,7 +133,7 @@ void DM_CALL dm_context_destroy(dm_context* context) {
 
 dm_result DM_CALL dm_context_get_memory(const dm_context* context, dm_memory_info* out_info) {
     if (context == NULL) return DM_ERROR_INVALID_ARGUMENT;
-    dmi_env* env = &((dm_context*)context)->env; /* holds the log */
+    dmi_env* env = &((dm_context*)context)->env; /* the environment holds the log */
     dm_result result =
         dmi_check_out(env, "dm_context_get_memory: out_info", out_info, DMI_FIRST_SIZE(dm_memory_info, pick_bytes));
     if (result != DM_OK) return result;

@@ -20,7 +20,7 @@ static const struct {
     {DM_DEGRADED_MESH, "the mesh is not all of its file"},
 };
 
-/* Whether a part moves. */
+/* Returns whether a part of the object moves. */
 static bool has_moving_part(const dmi_object* object) {
     for (uint32_t i = 1; i < object->part_count; i++)
         if (object->parts[i].joint.type != DM_JOINT_FIXED) return true;

@@ -1,4 +1,4 @@
-/* What answers lack: the bits DM_DEGRADED_*, and the one warning that says them. */
+/* What answers lack: the bits DM_DEGRADED_*, and the one warning about them. */
 #ifndef DMI_API_DEGRADED_H
 #define DMI_API_DEGRADED_H
 
@@ -6,7 +6,7 @@
 
 /* Returns the bits of an object in use: what it was prepared without, and whether its motion network is missing. */
 uint32_t dmi_degraded_of(const dmi_object_slot* slot);
-/* Warns in the name of `function` of all that the bits stand for; 0: says nothing. */
+/* Warns in the name of `function` of everything that the bits stand for. With 0 it logs nothing. */
 void dmi_degraded_warn(dmi_env* env, const char* function, uint32_t bits);
 
 #endif

@@ -19,7 +19,7 @@
 #define BUTTON_TRAVEL 0.04f      /* most travel of a push button, share of the object's size */
 #define BUTTON_SIZE 0.25f        /* largest side of a push button, share of the object's size */
 #define BUTTON_RETURN_TIME 0.12f /* s */
-#define AT_REST_SHARE 0.02f      /* share of the range: a limit this near to rest is at rest */
+#define AT_REST_SHARE 0.02f      /* share of the range; a limit this near to rest is at rest */
 
 /* What can't be meant, by hand: other units are off by a hundred or more, and frame times by a thousand. */
 #define FAR_POINT 50.0f      /* object sizes between object and grabbed point */
@@ -61,7 +61,7 @@ typedef struct start {
     float object_size, part_size;
     dm_joint joint; /* the joint in force */
     float value;
-    bool has_pose; /* pose: where the part is shown */
+    bool has_pose; /* pose: the pose in which the part is shown */
     dm_pose pose;
     dmi_rules rules;
 } start;
@@ -70,7 +70,8 @@ static bool is_unscaled(dm_vec3 scale) {
     return scale.x == 1 && scale.y == 1 && scale.z == 1;
 }
 
-/* Returns the largest side of a box of the inner frame, host units of the scaled instance; out_centre: of that box. */
+/* Returns the largest side of a box of the inner frame, host units of the scaled instance. out_centre: the centre of
+ * that box. */
 static float scaled_size(const start* s, const float min[3], const float max[3], dm_vec3* out_centre) {
     dm_vec3 low, high;
     dmi_object_box_out(&s->object->frame, min, max, &low, &high);
@@ -105,7 +106,7 @@ static dm_result read_joint(dmi_env* env, uint32_t state_size, dm_part_state* st
                         "dm_drag_begin: desc.state.joint.struct_size is %u: desc.state has room for %u",
                         state->joint.struct_size, room);
     }
-    /* What this version does not know has been found to be zeros. */
+    /* What this version does not know was found to be zeros. */
     if (state->joint.struct_size > sizeof state->joint) state->joint.struct_size = sizeof state->joint;
     return dmi_joint_read(env, "dm_drag_begin: desc.state.joint", &state->joint, out);
 }
@@ -130,7 +131,7 @@ static dm_result read_state(dmi_env* env, start* s) {
     return s->has_pose ? dmi_check_pose(env, "dm_drag_begin: desc.state.pose", &state.pose, &s->pose) : DM_OK;
 }
 
-/* Brings limits inside the values that are computed with. Returns false when no range is left of them. */
+/* Brings limits inside the values that are computed with. Returns false when no range is left. */
 static bool bound_limits(dm_joint* joint) {
     const float far = dmi_joint_farthest(joint);
     const bool limited = dmi_joint_has_limits(joint);
@@ -139,7 +140,7 @@ static bool bound_limits(dm_joint* joint) {
     return !limited || dmi_joint_has_limits(joint);
 }
 
-/* Sizes stand for lengths where a joint has no limits. */
+/* Checks the sizes, which stand for lengths where a joint has no limits. */
 static dm_result check_sizes(dmi_env* env, const start* s) {
     const float size = dmi_fmaxf(s->object_size, s->part_size);
     if (size <= DMI_LARGEST) return DM_OK;
@@ -189,12 +190,12 @@ static dm_result read_start(dmi_env* env, start* s) {
     return check_value(env, s);
 }
 
-/* Returns where the part is shown. */
+/* Returns the pose in which the part is shown. */
 static dm_pose shown_pose(const start* s) {
     return s->has_pose ? s->pose : dmi_joint_pose(&s->joint, s->value);
 }
 
-/* Takes hold of the middle of the part. */
+/* Takes the middle of the part as the grabbed point. */
 static void grab_middle(const start* s, dm_drag_desc* desc) {
     const dm_pose pose = shown_pose(s);
     float middle[3];
@@ -202,7 +203,7 @@ static void grab_middle(const start* s, dm_drag_desc* desc) {
     desc->grab_point = dmi_vec3(middle);
 }
 
-/* The hypotheses of a drag may turn about the grabbed point at rest. */
+/* Checks the grabbed point at rest, about which the hypotheses of a drag may turn. */
 static dm_result check_rest_point(dmi_env* env, const start* s) {
     static const char* const fields[3] = {": x", ": y", ": z"};
     const dm_pose pose = shown_pose(s), back = dmi_pose_inverse(&pose);
@@ -238,13 +239,13 @@ static void warn_of_value(dmi_env* env, const start* s) {
 
 /* ---- hypotheses ---- */
 
-/* Returns the number by which evidence knows its part; never 0. */
+/* Returns the number by which evidence identifies its part. It is never 0. */
 static uint32_t evidence_key(const dmi_object* object, uint32_t part) {
     const uint64_t key = dmi_part_key(object, part);
     return (uint32_t)(key ^ key >> 32) | 1;
 }
 
-/* Whether a part is a push button: small, and sliding a short way to one side of rest only. */
+/* Returns whether a part is a push button: small, and sliding a short way to one side of rest only. */
 static bool is_button(const start* s) {
     const dm_joint* joint = &s->joint;
     const float range = joint->upper - joint->lower;
@@ -253,16 +254,16 @@ static bool is_button(const start* s) {
     return one_way && s->part_size <= BUTTON_SIZE * s->object_size;
 }
 
-/* Takes a free range of the object-normalised frame to host units. Unbounded for an instance that is not scaled evenly:
- * its part and body no longer have the shape that the range was found with. */
+/* Takes a free range of the object-normalised frame to host units. It is unbounded for an instance that is not scaled
+ * evenly, because its part and body no longer have the shape that the range was found with. */
 static dmi_free_range free_range_out(const start* s, int32_t type, dmi_free_range inner) {
     if (!(s->scale.x > 0 && s->scale.x == s->scale.y && s->scale.x == s->scale.z)) return dmi_unbounded_range();
     const float length = type == DM_JOINT_PRISMATIC ? s->scale.x * dmi_frame_length_out(&s->object->frame) : 1;
     return (dmi_free_range){dmi_fmaxf(inner.lower * length, -FLT_MAX), dmi_fminf(inner.upper * length, FLT_MAX)};
 }
 
-/* Takes a joint of the object-normalised frame to the scaled instance. Returns whether its numbers are such as a host
- * may hand in: what a drag takes up, a saved one must hold. */
+/* Takes a joint of the object-normalised frame to the scaled instance. Returns whether a host may hand in such numbers,
+ * because a saved drag must be able to hold them. */
 static bool joint_out(const start* s, const dm_joint* inner, dm_joint* out) {
     *out = dmi_frame_joint_out(&s->object->frame, inner);
     dmi_joint_scale(out, s->scale);
@@ -292,18 +293,18 @@ static void add_alternatives(dmi_hypothesis_tracker* tracker, const start* s) {
     }
 }
 
-/* Whether the axes of two joints that are alike point the same way. */
+/* Returns whether the axes of two joints that are alike point the same way. */
 static bool same_direction(const dm_joint* a, const dm_joint* b) {
     return a->axis.x * b->axis.x + a->axis.y * b->axis.y + a->axis.z * b->axis.z > 0;
 }
 
-/* Whether the host has chosen among the hypotheses, so that no other one is tracked. */
+/* Returns whether the host has chosen among the hypotheses, so that no other one is tracked. */
 static bool is_chosen(const start* s) {
     return s->joint.source == DM_JOINT_CHOSEN;
 }
 
-/* Collects the hypotheses: the instance's own joint or the host's choice first, where there is one. A choice has no
- * room on the other side of rest, so that no pull puts its range there. */
+/* Collects the hypotheses. The instance's own joint or the host's choice comes first, where there is one. A choice has
+ * no room on the other side of rest, so that no pull puts its range there. */
 static uint32_t collect_hypotheses(const start* s, dm_joint out[DM_MAX_HYPOTHESES],
                                    dmi_free_range out_ranges[DM_MAX_HYPOTHESES]) {
     const dmi_hypotheses* all = &s->object->parts[s->part].hypotheses;
@@ -329,7 +330,7 @@ static uint32_t collect_hypotheses(const start* s, dm_joint out[DM_MAX_HYPOTHESE
     return count;
 }
 
-/* Returns the up direction in the frame of the scaled instance: that of the asset, where it was given. */
+/* Returns the up direction in the frame of the scaled instance: the asset's, where it was given. */
 static dmi_float3 up_out(const start* s) {
     static const float canonical[3] = {0, 1, 0};
     const float* given = s->object->parts[s->part].asset_hints.up;
@@ -338,7 +339,7 @@ static dmi_float3 up_out(const start* s) {
     return up;
 }
 
-/* Takes in what earlier pulls of the instance have said, and which way is up. */
+/* Adds what earlier pulls of the instance have said, and which way is up. */
 static void recall_pulls(dmi_drag* drag, const start* s) {
     const dmi_object_part* part = &s->object->parts[s->part];
     dm_joint ranked[DM_MAX_HYPOTHESES];
@@ -366,7 +367,7 @@ static void track(dmi_drag* drag, const start* s) {
 
 /* ---- begin ---- */
 
-/* Starts where the part is shown, and comes over to the joint from there. */
+/* Starts in the pose in which the part is shown, and blends over to the joint from there. */
 static void begin_at_pose(dmi_drag* drag, const start* s, const dm_drag_feel* feel) {
     const dm_pose on_joint = dmi_joint_pose(&s->joint, s->value), back = dmi_pose_inverse(&s->pose);
     float rest[3], grab[3];
@@ -461,7 +462,7 @@ dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, d
 
 /* ---- update and end ---- */
 
-/* Where only one limit is a limit, shares of the range say nothing. */
+/* Returns which limit the part is at where only one is a limit, so that there are no shares of the range. */
 static int32_t only_limit_at(const dmi_drag_slot* slot) {
     const dm_joint* joint = &slot->drag.joint;
     const float value = slot->drag.value, tolerance = STOP_TOLERANCE * slot->value_unit;
@@ -473,7 +474,7 @@ static dm_result check_state(const dm_drag_state* out_state) {
     return dmi_check_out(DMI_SILENT, "out_state", out_state, DMI_FIRST_SIZE(dm_drag_state, changes));
 }
 
-/* Checks a time step, and takes one that rounding has made negative as 0. */
+/* Checks a time step. One that rounding has made negative becomes 0. */
 static dm_result check_step(float* dt, const dm_drag_state* out_state) {
     dm_result result = dmi_check_finite(DMI_SILENT, "dt", dt, 1);
     if (result != DM_OK) return result;
@@ -495,7 +496,8 @@ static void step(dmi_drag_slot* slot, const dm_ray* ray, const dm_drag_input* in
     if (dt > LONG_FRAME && slot->longest_frame == 0) slot->longest_frame = dt;
     dm_drag_state state;
     const uint32_t given = out_state->struct_size;
-    dm_drag_state* now = given == sizeof state ? out_state : &state; /* mostly of our own version: no copy */
+    /* It is mostly the library's own version, which needs no copy. */
+    dm_drag_state* now = given == sizeof state ? out_state : &state;
     if (input == NULL)
         dmi_drag_update(&slot->drag, ray, dt, now);
     else

@@ -15,23 +15,24 @@ dm_result dmi_check_feel(dmi_env* env, const dm_drag_feel* feel);
 dm_drag_feel dmi_usable_feel(const dm_drag_feel* given);
 /* Whether a drag can have begun with this feel. */
 bool dmi_is_usable_feel(const dm_drag_feel* feel);
-/* What rules are read with: the joint that the drag begins with, which of its limits count, and the object's size in
- * host units. */
+/* What rules depend on: the joint that the drag begins with, which of its limits count, and the object's size in host
+ * units. */
 typedef struct dmi_rules_start {
     const dm_joint* joint;
     bool one_sided;
     float object_size;
 } dmi_rules_start;
 
-/* Reads desc->rules of any version; NULL: none. desc->feel: checked. */
+/* Reads desc->rules of any version; NULL: none. desc->feel must have been checked. */
 dm_result dmi_rules_read(dmi_env* env, const dm_drag_desc* desc, const dmi_rules_start* start, dmi_rules* out);
-/* Whether a drag can have begun with these rules. */
+/* Returns whether a drag can have begun with these rules. */
 bool dmi_is_sound_rules(const dmi_rules* rules);
-/* Reads and checks the input of an update, of any version. Logs nothing. */
+/* Reads and checks the input of an update, of any version. It logs nothing. */
 dm_result dmi_input_read(const dmi_drag* drag, const dm_drag_input* input, dm_drag_input* out);
-/* Returns what tells a part from others: its id, its box, the counts of part and object, the types of its joints. */
+/* Returns a number that tells a part from others, made of its id, its box, the counts of part and object, and the types
+ * of its joints. */
 uint64_t dmi_part_key(const dmi_object* object, uint32_t part);
-/* Reports, once, what the [frame] calls of a drag noticed and may not log themselves. */
+/* Reports once what the [frame] calls of a drag have noticed and may not log themselves. */
 void dmi_drag_slot_warn(dmi_env* env, const char* function, dmi_drag_slot* slot);
 
 #endif

@@ -16,7 +16,7 @@ static void pace_by_network(dm_context* context, dmi_drag_slot* slot, uint32_t s
     const dmi_model_slot* model = dmi_pool_get(context->models, slot->owner->model);
     if (plan->phase != DM_DRAG_RELEASED || plan->glides || plan->flies || slot->drag.feel.return_time > 0) return;
     if (model == NULL || model->motion == NULL || slot->owner->features == NULL)
-        return; /* keeps the minimum-jerk pace */
+        return; /* the minimum-jerk pace stays */
     const float outer = fabsf(plan->end) > fabsf(plan->start) ? plan->end : plan->start;
     float pull[3], values[DM_MOTION_FRAMES] = {0};
     dmi_joint_velocity(&slot->drag.joint, 0, slot->drag.rest_point, pull);
@@ -70,7 +70,7 @@ static dm_result check_release(dmi_env* env, const dm_release_desc* desc, const 
     return DM_OK;
 }
 
-/* Returns the side of rest on which the grabbed point gets farther from a point; 0: neither. */
+/* Returns the side of rest on which the grabbed point gets farther from a point, or 0 for neither. */
 static int32_t side_away_from(const dmi_drag* drag, dm_vec3 from) {
     const dmi_float3 point = dmi_xyz(from);
     float lower[3], upper[3];
@@ -85,7 +85,7 @@ static int32_t toggled(const dmi_drag* drag) {
     return dmi_drag_is_open(drag) ? DM_INTENT_CLOSE : DM_INTENT_OPEN;
 }
 
-/* A part whose way out has no end can't go there: it stays. */
+/* Returns an intent that is possible. A part whose way out has no end cannot go there, so it stays. */
 static int32_t possible_intent(const dmi_drag_slot* slot, int32_t intent) {
     return slot->open_side != 0 && intent == DM_INTENT_OPEN ? DM_INTENT_STAY : intent;
 }

@@ -11,7 +11,7 @@ typedef struct number {
     float value, most;
 } number;
 
-/* Checks that numbers are finite and 0 to their most. */
+/* Checks that numbers are finite and between 0 and their maximum. */
 static dm_result check_numbers(dmi_env* env, const number* numbers, size_t count) {
     for (size_t i = 0; i < count; i++) {
         const number* n = &numbers[i];
@@ -117,7 +117,7 @@ static dm_result check_bounds(const dm_drag_input* input) {
     return isnan(input->lower) || isnan(input->upper) ? DM_ERROR_NOT_FINITE : DM_ERROR_INVALID_ARGUMENT;
 }
 
-/* Whether an input says what only rules read. */
+/* Returns whether an input has something that only rules read. */
 static bool needs_rules(const dm_drag_input* input) {
     return input->lower != input->upper || input->flags & (DM_INPUT_LOCKED | DM_INPUT_BOUNDS) ||
            input->handles[0] != 0 || input->handles[1] != 0;
@@ -145,7 +145,7 @@ static dm_result check_first(const dm_hand* hand) {
     }
 }
 
-/* Checks the second hand: two hands hold by ray or point. */
+/* Checks the second hand. Two hands hold by ray or point. */
 static dm_result check_second(const dm_drag_input* input) {
     const dm_hand* hand = &input->second;
     if (hand->kind == DM_HAND_NONE) return DM_OK;

@@ -15,7 +15,7 @@ static dm_result check_buffer(dmi_env* env, const dmi_mesh* mesh, uint64_t face_
                     (unsigned long long)face_count, mesh->face_count);
 }
 
-/* Converts the host's drag to the frame of the mesh. The point may lie off the box by half the object's size. */
+/* Converts the host's drag to the frame of the mesh. The point may be off the box by half the object's size. */
 static dm_result read_drag(dmi_env* env, const dmi_mesh* mesh, const dm_drag_hint* drag, dmi_part_query* out) {
     const dmi_double3 point = dmi_xyz_f64(drag->point);
     const dmi_float3 vector = dmi_xyz(drag->vector);

@@ -37,7 +37,7 @@ typedef struct dmi_placement {
 typedef struct dmi_object_slot {
     dmi_object* object;
     dm_model model;           /* 0: none */
-    dmi_vae_object* features; /* one a part, the body's unused; NULL without a motion network */
+    dmi_vae_object* features; /* one a part, the body's is unused; NULL without a motion network */
     dmi_dependent *motions, *drags;
     dmi_placement* placements;
     dmi_link* links; /* sorted by dmi_links_order; parts are counted without the body. NULL: none */
@@ -55,9 +55,9 @@ typedef struct dmi_drag_slot {
     dmi_object_slot* owner;
     uint32_t part;       /* index in the object */
     dm_vec3 scale;       /* the instance's scale */
-    int8_t open_side;    /* +1: no upper limit, but a lower one; -1: the reverse; 0: both or none */
+    int8_t open_side;    /* +1: no upper limit, but a lower one; -1: the reverse; 0: both limits or neither */
     float value_unit;    /* the object's size for slides, 1 rad for turns */
-    float longest_frame; /* s: dt of an update too long to be meant; 0: none, -1: reported */
+    float longest_frame; /* s; longest dt of an update that was too long to be meant; 0: none, -1: reported */
     uint32_t refused;    /* updates that had an error, not yet reported */
     dm_result first_refusal;
     dmi_drag drag;
@@ -71,7 +71,7 @@ typedef struct dmi_scene_slot {
 typedef struct dmi_asset_slot {
     dmi_asset* asset;
     dm_model model;      /* 0: none */
-    bool keep_triangles; /* whether the objects made of it keep theirs */
+    bool keep_triangles; /* the objects made of it keep their triangles */
 } dmi_asset_slot;
 
 struct dm_context {
@@ -80,23 +80,25 @@ struct dm_context {
     dmi_isa isa;
     dmi_picker* picker;
     dmi_pool *models, *objects, *motions, *drags, *scenes, *assets;
-    /* Spin lock of the lists in objects and scenes; held for a few loads and stores, never in a [frame] function. */
+    /* Spin lock of the lists in objects and scenes. It is held for a few loads and stores, never in a [frame]
+     * function. */
     atomic_flag lock;
 };
 
 void dmi_lock(dm_context* context);
 void dmi_unlock(dm_context* context);
 
-/* Returns the item of a handle; NULL, after a message in the name of `function`, when it is null, stale or foreign. */
+/* Returns the item of a handle, or NULL, after a message in the name of `function`, when it is null, stale or
+ * foreign. */
 void* dmi_find(dm_context* context, const dmi_pool* pool, const char* function, uint64_t handle);
-/* The same, and removes it from the pool. */
+/* Does the same, and removes the item from the pool. */
 void* dmi_take(dm_context* context, dmi_pool* pool, const char* function, uint64_t handle);
 
-/* Gives an item a handle and links it to its object; frees nothing on failure. */
+/* Gives an item a handle and links it to its object. It frees nothing on failure. */
 dm_result dmi_dependent_add(dm_context* context, dmi_pool* pool, dmi_dependent** list, dmi_dependent* item);
 void dmi_dependent_unlink(dm_context* context, dmi_dependent** list, dmi_dependent* item);
 
-/* Finds the index of a part by the host's id; NOT_FOUND, with a message, for unknown ids and for the body. */
+/* Finds the index of a part by the host's id. Answers NOT_FOUND, with a message, for unknown ids and for the body. */
 dm_result dmi_find_part(dm_context* context, const char* function, const dmi_object* object, uint32_t part_id,
                         uint32_t* out_index);
 

@@ -10,9 +10,9 @@
 #include "base/fp_environment.h"
 #include "math/elementary.h"
 
-#define DEGREES_BEYOND 25.0f /* rad: four turns. A hinge with a farther limit was meant in degrees; by hand */
+#define DEGREES_BEYOND 25.0f /* rad, four turns; a hinge with a farther limit was meant in degrees; by hand */
 
-/* Finds object and part of a call; messages are in the name of `function`. */
+/* Finds object and part of a call. Messages are in the name of `function`. */
 static dm_result find(dm_context* context, const char* function, dm_object object, uint32_t part_id,
                       dmi_object_slot** out_slot, uint32_t* out_index) {
     *out_slot = dmi_find(context, context->objects, function, object);
@@ -107,7 +107,7 @@ static dm_joint own_joint(const dmi_object* object, uint32_t index) {
     return part->hypotheses.count > 0 ? dmi_frame_joint_out(&object->frame, &part->hypotheses.joints[0]) : part->joint;
 }
 
-/* Whether two joints are the same motion, bit for bit; confidences and source aside. */
+/* Returns whether two joints are the same motion, bit for bit, whatever their confidences and sources. */
 static bool same_motion(const dm_joint* a, const dm_joint* b) {
     const float x[10] = {a->axis.x,   a->axis.y, a->axis.z, a->origin.x, a->origin.y,
                          a->origin.z, a->pitch,  a->lower,  a->upper,    a->closed};

@@ -10,16 +10,17 @@
 #include "math/joint.h"
 
 #define MIN_AXIS_LENGTH 1e-6 /* shortest axis of a host; a shorter one has no direction; by hand */
-#define LARGEST_SCALE 1e6f   /* largest scale, and inverse of the smallest one; by hand: sizes stay comparable */
-#define UNIT_TOLERANCE 1e-6  /* an axis whose length is this near to 1 keeps its bits: rounding of three floats */
+/* Largest scale, and inverse of the smallest one; by hand, so that sizes stay comparable. */
+#define LARGEST_SCALE 1e6f
+#define UNIT_TOLERANCE 1e-6 /* an axis whose length is this near to 1 keeps its bits: rounding of three floats */
 
-/* A limit farther from rest than UNLIMITED is none; set by hand. STAND_IN takes its place where the other limit is
+/* A limit farther from rest than UNLIMITED counts as none; set by hand. STAND_IN replaces it where the other limit is
  * meant, and is beyond UNLIMITED again when it is read back. */
 #define UNLIMITED_SLIDE 100.0f /* object sizes */
 #define STAND_IN_TURN 1024.0f  /* rad */
 #define STAND_IN_SLIDE 128.0f  /* object sizes */
 
-/* A joint's numbers but its limits, which may be infinite in a host's joint. */
+/* A joint's numbers without its limits, which may be infinite in a host's joint. */
 static const struct {
     const char* name;
     size_t offset;
@@ -104,7 +105,7 @@ dm_result dmi_joint_accept_axis(dmi_env* env, const char* what, dm_joint* joint)
     if (!(length > MIN_AXIS_LENGTH) && moves)
         return dmi_fail(env, DM_ERROR_INVALID_ARGUMENT, "%s.axis has length %g", what, length);
     if (!(length > MIN_AXIS_LENGTH))
-        *a = (dm_vec3){0, 1, 0}; /* a fixed joint needs an axis, any will do */
+        *a = (dm_vec3){0, 1, 0}; /* a fixed joint needs some axis */
     else if (fabs(length - 1) > UNIT_TOLERANCE)
         *a = (dm_vec3){(float)(x / length), (float)(y / length), (float)(z / length)};
     return DM_OK;
@@ -121,7 +122,7 @@ dm_result dmi_joint_accept(dmi_env* env, const char* what, float size, dm_joint*
         return result;
     }
     joint->closed = 0;
-    /* Where there are no limits, hosts leave anything, often infinities; what a drag gave stays as it is. */
+    /* Where there are no limits, hosts leave anything, often infinities. What a drag gave stays as it is. */
     const bool harmless =
         joint->lower <= joint->upper && joint->lower > -DMI_UNLIMITED_TURN && joint->upper < DMI_UNLIMITED_TURN;
     if (!harmless) joint->lower = joint->upper = 0;
@@ -146,13 +147,13 @@ dm_result dmi_scale_read(dmi_env* env, const char* what, dm_vec3 scale, dm_vec3*
                     (double)LARGEST_SCALE);
 }
 
-/* A limit that is none stays finite. */
+/* Scales a limit. One that counts as none stays finite. */
 static float scaled_limit(float limit, float length) {
     return dmi_fmaxf(dmi_fminf(limit * length, FLT_MAX), -FLT_MAX);
 }
 
-/* The line goes through the scaled points. A mirror turns a turn's direction round, so its axis is reversed (a slide's
- * is not), and with it the pitch. */
+/* Scales a joint. The line goes through the scaled points. A mirror reverses the direction of a turn, so its axis is
+ * reversed (a slide's is not), and with it the pitch. */
 float dmi_joint_scale(dm_joint* joint, dm_vec3 scale) {
     if (scale.x == 1 && scale.y == 1 && scale.z == 1) return 1;
     const double s[3] = {(double)scale.x, (double)scale.y, (double)scale.z};

@@ -13,7 +13,7 @@
 
 #define LIMIT_TOLERANCE 1e-4f /* rad by which rounding may put a value beyond its limit; by hand */
 
-/* Reads a joint whose numbers a pose can be made of. */
+/* Reads a joint, and checks the numbers that a pose is made of. */
 static dm_result read_joint(const dm_joint* joint, dm_joint* out) {
     dm_result result = dmi_joint_read(NULL, "", joint, out);
     if (result == DM_OK) result = dmi_joint_check(NULL, "", out, DM_JOINT_UNKNOWN);
@@ -41,7 +41,7 @@ static float advance_of(const dm_joint* joint, const dm_pose* pose) {
     return dmi_dot3(moved, dmi_xyz(joint->axis).v);
 }
 
-/* Returns the value inside the limits among those that are whole turns apart; where none is, the value itself. */
+/* Returns the value inside the limits among those that are whole turns apart, or the value itself where none is. */
 static float turn_into_limits(const dm_joint* joint, float value) {
     if (!dmi_joint_has_limits(joint)) return value;
     const float lower = joint->lower - LIMIT_TOLERANCE, upper = joint->upper + LIMIT_TOLERANCE;
@@ -113,7 +113,7 @@ dm_result DM_CALL dm_joint_value_at(const dm_joint* joint, float share, float* o
 static void rotation_to(const float x[3], float out[4]) {
     if (x[0] >= 0) {
         out[0] = 0, out[1] = -x[2], out[2] = x[1], out[3] = 1 + x[0];
-    } else { /* half a turn about z first */
+    } else { /* starts with half a turn about z */
         out[0] = x[2], out[1] = 0, out[2] = 1 - x[0], out[3] = x[1];
     }
     const float length = sqrtf(out[0] * out[0] + out[1] * out[1] + out[2] * out[2] + out[3] * out[3]);

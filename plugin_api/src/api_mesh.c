@@ -30,10 +30,10 @@ static dm_result check_formats(dmi_env* env, const char* what, const dm_mesh_des
 typedef struct buffer {
     const char *name, *elements, *hint;
     uint64_t bytes, count, element, stride;
-    bool exact; /* a longer one is wrong too: it tells a forgotten scope */
+    bool exact; /* a longer buffer is wrong too, because it shows a forgotten scope */
 } buffer;
 
-/* A buffer with a stride may end with the last element, or begin inside the first vertex. */
+/* Checks a buffer. One with a stride may end with the last element, or begin inside the first vertex. */
 static dm_result check_buffer(dmi_env* env, const char* what, const buffer* b) {
     const uint64_t stride = b->stride > 0 ? b->stride : b->element;
     const uint64_t least = b->count > 0 ? (b->count - 1) * stride + b->element : 0, most = b->count * stride;
@@ -44,7 +44,8 @@ static dm_result check_buffer(dmi_env* env, const char* what, const buffer* b) {
                     (unsigned long long)b->element, (unsigned long long)stride, (unsigned long long)least, b->hint);
 }
 
-/* Counts above DM_MAX_ELEMENTS are refused later, by name; below, nothing here overflows. */
+/* Checks all buffers. Nothing overflows for counts up to DM_MAX_ELEMENTS, and larger counts are refused later with a
+ * message that names them. */
 static dm_result check_buffers(dmi_env* env, const char* what, const dm_mesh_desc* mesh) {
     if (mesh->vertex_count > DM_MAX_ELEMENTS || mesh->index_count > 3 * (uint64_t)DM_MAX_ELEMENTS) return DM_OK;
     const uint64_t corners = mesh->indices != NULL ? mesh->index_count : mesh->vertex_count, faces = corners / 3;
@@ -73,7 +74,7 @@ static dm_result check_buffers(dmi_env* env, const char* what, const dm_mesh_des
     dm_result result = DM_OK;
     if (mesh->position_bytes > 0) result = check_buffer(env, what, &positions);
     if (result == DM_OK && mesh->indices != NULL && mesh->index_bytes > 0) result = check_buffer(env, what, &indices);
-    /* Corners that make no whole triangles are refused later, by name. */
+    /* Corners that make no whole triangles are refused later with a message that names them. */
     const bool counted = !per_face || (corners > 0 && corners % 3 == 0);
     if (result == DM_OK && mesh->part_ids != NULL && counted) result = check_buffer(env, what, &ids);
     return result;

@@ -4,7 +4,7 @@
 
 #include "api_handles.h"
 
-/* Returns what inference uses of a model; NULL: geometry and rules alone. */
+/* Returns what inference uses of a model. model: NULL for geometry and rules alone. */
 dmi_inference_models dmi_inference_models_of(const dm_context* context, const dmi_model_slot* model);
 
 /* Frees a model that has been removed from its pool. */

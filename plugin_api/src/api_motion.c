@@ -21,7 +21,7 @@ typedef struct request {
     const dm_joint* host_joint; /* host frame */
     dmi_drag_hint hint;
     dm_joint joint; /* inner frame, signed so that positive follows the drag */
-    float sign;     /* -1 when that reversed the axis, else +1 */
+    float sign;     /* -1 when the axis was reversed for that, else +1 */
 } request;
 
 /* Converts the joint and orients it as in training: a positive step follows the drag. */
@@ -70,7 +70,7 @@ static dm_result make_path(const request* work, float out_path[DMI_VAE_PATH][3])
     return result;
 }
 
-/* Runs the DQ-VAE; out_values: joint values in host units. */
+/* Runs the DQ-VAE. out_values: joint values in host units. */
 static dm_result run_network(const request* work, float out_values[DM_MOTION_FRAMES]) {
     dmi_env* env = &work->context->env;
     const dmi_model_slot* model = dmi_pool_get(work->context->models, work->slot->model);

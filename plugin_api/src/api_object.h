@@ -4,8 +4,8 @@
 
 #include "api_handles.h"
 
-/* Takes ownership of an object, encodes it for the motion network of `model` (0: none), and gives it a handle. Warns in
- * the name of `function` of what it lacks. unmissed: bits DM_DEGRADED_* that the warning leaves out. */
+/* Takes ownership of an object, encodes it for the motion network of `model` (0: none), and gives it a handle. It warns
+ * in the name of `function` of what the object lacks. unmissed: bits DM_DEGRADED_* that the warning leaves out. */
 dm_result dmi_object_publish(dm_context* context, const char* function, dmi_object* object, dm_model model,
                              uint32_t unmissed, dm_object* out_object);
 

@@ -1,5 +1,5 @@
-/* Saves a drag's whole state and puts it back: a header and the drag as it lies in memory. Any bytes may come back, so
- * what could lead outside an array, or is no value of its type, is checked before it is used. */
+/* Saves a drag's whole state and restores it, as a header and the drag as it lies in memory. Any bytes may come back,
+ * so what could lead outside an array, or is no value of its type, is checked before it is used. */
 #include <math.h>
 #include <string.h>
 
@@ -16,7 +16,7 @@
 
 typedef struct snapshot {
     uint32_t magic, version, size, reserved;
-    uint64_t part;     /* which part of which object */
+    uint64_t part;     /* number that identifies the part and its object */
     uint64_t checksum; /* checksum of everything after it */
     dm_vec3 scale;
     float value_unit;
@@ -30,14 +30,14 @@ size_t DM_CALL dm_drag_snapshot_size(void) {
     return sizeof(snapshot);
 }
 
-/* FNV-1a by words of 8 bytes; bytes at the end that fill no word count one by one. */
+/* Returns the FNV-1a hash by words of 8 bytes. Bytes at the end that fill no word count one by one. */
 static uint64_t hash(uint64_t seed, const void* data, size_t size) {
     const uint8_t* bytes = data;
     uint64_t sum = seed, word;
     for (; size >= sizeof word; size -= sizeof word, bytes += sizeof word) {
         memcpy(&word, bytes, sizeof word);
         sum = (sum ^ word) * FNV_PRIME;
-        sum ^= sum >> 32; /* a multiplication carries upwards alone */
+        sum ^= sum >> 32; /* a multiplication carries only upwards */
     }
     for (; size > 0; size--, bytes++) sum = (sum ^ *bytes) * FNV_PRIME;
     return sum;
@@ -69,7 +69,7 @@ dm_result DM_CALL dm_drag_save(dm_context* context, dm_drag drag, void* buffer, 
     if (buffer == NULL) return DM_ERROR_INVALID_ARGUMENT;
     if (capacity < sizeof(snapshot)) return DM_ERROR_BUFFER_TOO_SMALL;
     snapshot s;
-    memset(&s, 0, sizeof s); /* gaps between fields too */
+    memset(&s, 0, sizeof s); /* clears the gaps between fields too */
     s.magic = MAGIC, s.version = DM_VERSION, s.size = sizeof s;
     s.part = dmi_part_key(slot->owner->object, slot->part);
     s.scale = slot->scale, s.value_unit = slot->value_unit, s.open_side = (int32_t)slot->open_side;
@@ -81,7 +81,7 @@ dm_result DM_CALL dm_drag_save(dm_context* context, dm_drag drag, void* buffer, 
 
 /* ---- checks ---- */
 
-/* Whether a bool holds 0 or 1: any other byte in it must not be read as one. */
+/* Returns whether a bool holds 0 or 1. Any other byte must not be read as one. */
 static bool is_bool(const bool* value) {
     uint8_t byte;
     memcpy(&byte, value, 1);
@@ -95,7 +95,7 @@ static bool are_finite(const float* values, size_t count) {
     return true;
 }
 
-/* Whether poses can be made of the values, which come from numbers within DMI_LARGEST. */
+/* Returns whether poses can be made of the values, which come from numbers within DMI_LARGEST. */
 static bool are_within(const float* values, size_t count) {
     for (size_t i = 0; i < count; i++) {
         if (!(fabsf(values[i]) <= DMI_LARGEST_SAVED)) return false;
@@ -103,7 +103,7 @@ static bool are_within(const float* values, size_t count) {
     return true;
 }
 
-/* Whether values that may be infinite, such as log probabilities, are numbers. */
+/* Returns whether values that may be infinite, such as log probabilities, are numbers. */
 static bool are_numbers(const float* values, size_t count) {
     for (size_t i = 0; i < count; i++) {
         if (isnan(values[i])) return false;
@@ -118,7 +118,7 @@ static bool are_rising(const float* values, size_t count) {
     return true;
 }
 
-/* Its axis is unit, or the joint does not move. */
+/* Returns whether a joint is sound: its axis is unit, or the joint does not move. */
 static bool is_sound_joint(const dm_joint* j) {
     const bool moves = j->type != DM_JOINT_UNKNOWN && j->type != DM_JOINT_FIXED;
     const float others[4] = {j->lower, j->upper, j->type_confidence, j->joint_confidence};
@@ -126,7 +126,7 @@ static bool is_sound_joint(const dm_joint* j) {
            (!moves || fabsf(dmi_length3(dmi_xyz(j->axis).v) - 1) <= UNIT_TOLERANCE);
 }
 
-/* Whether a vector is unit, or zeros, which stand for none. */
+/* Returns whether a vector is unit, or zeros, which stand for none. */
 static bool is_direction(const float v[3]) {
     const float square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
     return square == 0 || fabsf(square - 1) <= 2 * UNIT_TOLERANCE;
@@ -194,7 +194,7 @@ static bool is_sound_release(const dmi_release* r) {
            are_within(r->keys, DM_MOTION_FRAMES);
 }
 
-/* The blend's age is infinite where there is none. */
+/* Returns whether a blend is sound. Its age is infinite where there is none. */
 static bool is_sound_blend(const dmi_pose_blend* b) {
     float length;
     return are_within(b->offset.real, 4) && are_within(b->offset.dual, 4) &&
@@ -220,14 +220,14 @@ static bool are_sound_hands(const dmi_hands* h) {
            are_within(h->point, 3) && are_within(h->second.rest_point, 3) && are_within(numbers, 3);
 }
 
-/* Bounds of the value that may be taken may be infinite. */
+/* Returns whether a pending value is sound. Its bounds may be infinite. */
 static bool is_sound_pending(const dmi_pending_value* q) {
     return is_bool(&q->open) && q->phase >= DM_DRAG_HELD && q->phase <= DM_DRAG_AT_REST && q->dt >= 0 &&
            are_finite(&q->dt, 1) && are_within(&q->start, 1) && q->lower <= q->upper &&
            is_sound_event_state(&q->event_state);
 }
 
-/* Constraints are those of one update: between two there are none. */
+/* Returns whether there are no constraints, as between two updates. */
 static bool is_unconstrained(const dmi_constraints* t) {
     return t->bounds.lower == -INFINITY && t->bounds.upper == INFINITY && is_bool(&t->locked) && !t->locked &&
            t->handles[0] == 0 && t->handles[1] == 0;

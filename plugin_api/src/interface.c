@@ -1,4 +1,4 @@
-/* The function table: the library's second door, and the one symbol a dynamic host looks up. */
+/* The function table: another way into the library, and the one symbol that a dynamic host looks up. */
 #include <string.h>
 
 #include "dragmesh/dragmesh.h"
