@@ -8,10 +8,11 @@
 #include "mesh/mesh.h"
 
 #define DMI_CLOUD_PART 2048 /* points on the moving part and the parts it carries */
-#define DMI_CLOUD_NEAR 1024 /* on the rest, inside the part's box grown by 0.2 of its diagonal (at least 0.02) */
+/* Points on the rest, inside the part's box grown by 0.2 of its diagonal (at least 0.02). */
+#define DMI_CLOUD_NEAR 1024
 #define DMI_CLOUD_BODY 1024 /* anywhere on the rest */
-/* In this order: part, near, body; within a block the points are in low-discrepancy order, so its first ones cover it.
- */
+/* The points come in the order part, near, body. Within a block they are in low-discrepancy order, so that its first
+ * ones cover it. */
 #define DMI_CLOUD_POINTS 4096
 
 typedef struct dmi_cloud {

@@ -34,7 +34,7 @@ typedef struct grid {
     float tolerance, cells_a_unit;
     uint32_t* heads;     /* newest vertex of each bucket */
     uint32_t* next;      /* a vertex, in its bucket */
-    uint64_t factors[3]; /* of the hash: random and odd */
+    uint64_t factors[3]; /* factors of the hash: random and odd */
     uint32_t shift;      /* 64 minus the binary logarithm of the number of buckets */
 } grid;
 
@@ -294,7 +294,7 @@ static bool sees_corner(const dmi_mesh* mesh, uint32_t face, uint32_t edge_corne
 /* Which faces at an edge belong to one sheet, besides coincident ones and two at an edge of their own. */
 typedef struct sheet_rule {
     float concave_sine; /* two do not where the edge is concave by more */
-    bool fans;          /* as many as are compared at one edge do, and all further ones */
+    bool fans;          /* all do where as many meet as are compared at one edge, or more */
 } sheet_rule;
 
 static void unite_fan(const edges* edges, uint32_t e, uint32_t* parents) {

@@ -1,17 +1,17 @@
-/* From part ids of vertices or faces to parts: the host's list of them, or every id that occurs. */
+/* Makes parts of the part ids of vertices or faces: those of the host's list, or every id that occurs. */
 #include "mesh/mesh_parts.h"
 
 #include <string.h>
 
 #include "base/kept.h"
 
-/* At most half full with DM_MAX_PARTS ids. */
+/* Entries of the set of ids, which is at most half full with DM_MAX_PARTS ids. */
 #define ID_SET_SIZE (2 * DM_MAX_PARTS)
 
 /* Open-addressing set of ids above 0. */
 typedef struct id_set {
     uint32_t slots[ID_SET_SIZE]; /* 0 = free */
-    uint64_t ids[DM_MAX_PARTS];  /* in order of arrival; wide for sort_keys */
+    uint64_t ids[DM_MAX_PARTS];  /* ids in order of arrival; wide for sort_keys */
     uint32_t count;
 } id_set;
 

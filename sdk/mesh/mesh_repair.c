@@ -6,21 +6,21 @@
 
 #include "mesh/connectivity.h"
 
-/* By hand. A part that would lose more than both of the next two loses nothing; both,
+/* The values are set by hand. A part that would lose more than both of the next two loses nothing. It must be both,
  * because a few leaked triangles of a coarse body can have ten times the area of a fine knob. */
-#define OWNER_SHARE 0.6f    /* of a piece's area: makes the piece its owner's */
+#define OWNER_SHARE 0.6f    /* share of a piece's area that makes the piece its owner's */
 #define MAX_AREA_LOSS 0.4f  /* share of a part's area */
 #define MAX_FACE_LOSS 0.12f /* share of a part's triangles */
 #define FIRST_VOTE 0.5f     /* share of the work, when the first vote is over */
-#define SMOOTH_COSINE 0.95f /* between the normals of two faces of a smooth region, 18 degrees */
+#define SMOOTH_COSINE 0.95f /* cosine between the normals of two faces of a smooth region, 18 degrees */
 
 /* The pieces of the surface and their owners. */
 typedef struct election {
     dmi_mesh* mesh;         /* face_part changes, parts do not yet */
-    const uint32_t* labels; /* of faces: their piece */
-    uint32_t* owner;        /* of a piece: the part that holds more than half of it, if any does */
-    float *area, *lead;     /* of a piece: whole, and what its owner holds */
-    float* lost_area;       /* of a part: what it would lose */
+    const uint32_t* labels; /* per face: its piece */
+    uint32_t* owner;        /* per piece: the part that holds more than half of it, if any does */
+    float *area, *lead;     /* per piece: its whole area, and what its owner holds */
+    float* lost_area;       /* per part: what it would lose */
     uint32_t* lost_faces;
     uint32_t count;
 } election;

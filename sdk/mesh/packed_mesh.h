@@ -10,7 +10,7 @@
 
 typedef struct dmi_packed_part {
     uint32_t first_face, face_count;
-    uint32_t solid_count; /* of them: with an area, in the numbers that the trees see. They come first */
+    uint32_t solid_count; /* triangles with an area, in the numbers that the trees see; they come first */
 } dmi_packed_part;
 
 /* Faces are in the order of their parts; within a part, those with an area first, else as in the mesh. */

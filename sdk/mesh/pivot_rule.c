@@ -6,7 +6,7 @@
 #include <string.h>
 
 #define SAME_SPOT 0.01    /* diagonals of a node's box between its pivot and the place of a rule; by hand */
-#define SAME_SIDE 1e-3    /* of the largest side, between copies of one mesh; by hand: rounding alone */
+#define SAME_SIDE 1e-3    /* share of the largest side, between copies of one mesh; by hand: rounding alone */
 #define LEAST_VOLUME 1e-3 /* diagonals cubed, from which faces enclose something; by hand */
 
 enum { OWN_AXES, SCENE_AXES, FRAMES };

@@ -15,8 +15,8 @@ typedef struct dmi_pivot_gauge {
     double origin[3];
     double axes[3][3];            /* unit rows; those of the scene where the node's are unknown */
     double scale[3];              /* lengths that they had */
-    double low[2][3], high[2][3]; /* of the faces about the origin: along the node's axes, along the scene's */
-    double area, moment[3];       /* of the faces: area, and area times the middle */
+    double low[2][3], high[2][3]; /* box of the faces about the origin: along the node's axes, then along the scene's */
+    double area, moment[3];       /* sums over the faces: area, and area times the middle */
     double volume, volume_moment[3];
     uint32_t face_count;
 } dmi_pivot_gauge;
@@ -29,8 +29,8 @@ void dmi_pivot_gauge_add_face(dmi_pivot_gauge* gauge, const double corners[3][3]
 typedef struct dmi_pivot_witness {
     uint64_t rules; /* a bit for each rule that its pivot follows */
     double origin[3];
-    double sides[3];      /* of the node's box along the scene's axes */
-    double mesh_sides[3]; /* along its own, as its mesh has them: without the node's scale */
+    double sides[3];      /* sides of the node's box along the scene's axes */
+    double mesh_sides[3]; /* sides along its own axes, as its mesh has them: without the node's scale */
     uint32_t face_count;
     double area; /* 0: it has no faces or no pivot, and does not count */
 } dmi_pivot_witness;

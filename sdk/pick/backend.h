@@ -17,7 +17,7 @@ typedef struct dmi_triangles {
     const uint16_t* narrow; /* face_count x 3 corners, or NULL */
     const uint32_t* wide;   /* the same where `narrow` is NULL */
     uint32_t vertex_count, face_count;
-    const dmi_progress* progress; /* of building; NULL: none */
+    const dmi_progress* progress; /* progress of building; NULL: none */
 } dmi_triangles;
 
 /* Which boxes and triangles a tree has where; all else of it is computed from the triangles. */

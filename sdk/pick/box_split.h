@@ -29,7 +29,7 @@ void dmi_box_range_measure(const dmi_box_item* items, dmi_box_range* range);
 typedef enum dmi_box_splits {
     DMI_SPLIT_BY_COST,  /* where it costs least, along any axis */
     DMI_SPLIT_FAST,     /* the same, but large ranges along the longest axis of their centres alone */
-    DMI_SPLIT_IN_HALVES /* as many items on either side */
+    DMI_SPLIT_IN_HALVES /* puts as many items on either side */
 } dmi_box_splits;
 
 /* Splits the range ranges[0] into up to `most`, always the one with the largest box of those of more than `block`

@@ -9,7 +9,7 @@
 #include "math/elementary.h"
 #include "math/vec3.h"
 
-#define MIN_SINE 1e-4 /* of the angle between forward and up; by hand */
+#define MIN_SINE 1e-4 /* least sine of the angle between forward and up; by hand */
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -13,9 +13,10 @@
  * number of points and directions: what it holds does not count. */
 #define DMI_MATRIX 13
 
-#define DMI_MAX_COORDINATE 1e10 /* of ray origins and translations, host units: no product of floats overflows */
-/* Of floats: where the exponent stands in their bits, what it is of 1, and numbers whose products with the largest and
- * smallest ones are normal numbers. */
+/* Bound of ray origins and translations, host units, so that no product of floats overflows. */
+#define DMI_MAX_COORDINATE 1e10
+/* Constants of floats: where the exponent stands in their bits, what it is of 1, and numbers whose products with the
+ * largest and smallest ones are normal numbers. */
 #define DMI_FLOAT_EXPONENT_SHIFT 23
 #define DMI_FLOAT_BIAS 127
 #define DMI_FLOAT_SMALL 0x1p-64f
@@ -25,16 +26,16 @@ typedef struct dmi_placed_object dmi_placed_object;
 
 typedef struct dmi_placed_part {
     const dmi_placed_object* owner;
-    const dmi_bvh_part* shape;                                                           /* of the owner's bvh */
+    const dmi_bvh_part* shape;                                                           /* shape in the owner's bvh */
     bool (*first_hit)(const void* tree, const dmi_part_ray* ray, dmi_part_hit* out_hit); /* the backend's */
-    /* As committed, from and to the object-normalised frame; doubles so that objects far from the origin keep their
-     * shape. In the order in which a hit needs them. */
+    /* Placement as committed, from and to the object-normalised frame, in the order in which a hit needs the numbers.
+     * They are doubles so that objects far from the origin keep their shape. */
     double scale, inverse_scale; /* host units in one of the object-normalised frame */
     double from_world[DMI_MATRIX], to_world[DMI_MATRIX], to_object[DMI_MATRIX];
     double winding; /* -1 where to_world mirrors, else 1 */
-    uint32_t leaf;  /* of the scene's tree; DMI_TOP_NONE: nothing to hit */
-    bool moved;     /* since the last commit */
-    dm_pose pose;   /* from rest, object frame */
+    uint32_t leaf;  /* leaf of the scene's tree; DMI_TOP_NONE: there is nothing to hit */
+    bool moved;     /* it has moved since the last commit */
+    dm_pose pose;   /* pose from rest, object frame */
 } dmi_placed_part;
 
 struct dmi_placed_object {
@@ -45,9 +46,9 @@ struct dmi_placed_object {
     dm_object object;
     dm_pose placement;
     uint32_t id;
-    bool dirty;              /* in the scene's list */
+    bool dirty;              /* it is in the scene's list */
     bool moved;              /* placement, since the last commit */
-    dmi_placed_part parts[]; /* of bvh */
+    dmi_placed_part parts[]; /* one a part of bvh */
 };
 
 /* A ray in the world. The direction is the host's times a power of two, its largest component in [0.5, 1): the same
@@ -90,8 +91,8 @@ static inline bool dmi_world_ray_start(const dm_ray* host_ray, dmi_world_ray* ou
 
 typedef struct dmi_world_hit {
     const dmi_placed_part* part; /* NULL: none */
-    double distance;             /* in lengths of the direction */
-    double weight[2];            /* of the second and third corner */
+    double distance;             /* distance in lengths of the direction */
+    double weight[2];            /* weights of the second and third corner */
     double triangle[3][4];       /* its first corner, and the way to the other two */
     uint32_t face;
 } dmi_world_hit;

@@ -17,7 +17,7 @@
  * part's frame, in object sizes. Both many times as much as needed. */
 #define ENTRY_ROUNDING 1e-6
 #define ENTRY_MARGIN 1e-4
-/* By how much a part's ray may pass the nearest hit so far: what lies there is compared in doubles. */
+/* Share by which a part's ray may pass the nearest hit so far. What lies there is compared in doubles. */
 #define FAR_ROUNDING 1e-6
 
 DMI_RETURNS_VECTORS
@@ -131,8 +131,8 @@ TARGET_INLINE bool comes_before(const dmi_placed_part* part, const dmi_placed_pa
     return part->shape < other->shape;
 }
 
-/* In a large scene nothing of a part is in the cache. What describes a hit is asked for once there is one, and comes
- * while it is measured. */
+/* Prefetches what describes a hit, so that it comes while the hit is measured. In a large scene nothing of a part is in
+ * the cache. */
 TARGET_INLINE void fetch_matrices(const dmi_placed_part* part) {
     const char* at = (const char*)part->to_world;
     for (size_t i = 0; i < 2 * sizeof part->to_world; i += DMI_ALIGNMENT) DMI_PREFETCH(at + i);

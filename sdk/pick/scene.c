@@ -19,12 +19,12 @@
 
 struct dmi_scene {
     dmi_picker* picker;
-    dmi_placed_object** objects; /* by instance id; NULL where removed */
+    dmi_placed_object** objects; /* objects by instance id; NULL where one was removed */
     uint32_t* free_ids;          /* a stack of `free_count`, the next to use on top */
     uint32_t capacity, free_count;
     dmi_placed_object* dirty; /* a list */
     dmi_top_tree tree;
-    dmi_scene_trace* trace; /* of the machine's instruction set */
+    dmi_scene_trace* trace; /* the trace of the machine's instruction set */
 };
 
 /* ---- placed objects ---- */
@@ -211,7 +211,7 @@ static uint32_t update_placed(dmi_scene* scene, dmi_placed_object* placed) {
         dmi_placed_part* part = &placed->parts[p];
         if (part->leaf == DMI_TOP_NONE || !(placed->moved || part->moved)) continue;
         dmi_placed_part_update(part, placement, from_inner, &at_rest, &scene->tree.leaves[part->leaf].box);
-        part->moved = true; /* until it is placed */
+        part->moved = true; /* it counts as moved until it is placed */
         changed++;
     }
     placed->moved = false;

@@ -11,20 +11,20 @@
 #define DMI_TOP_NONE 0xffffffffu
 /* Levels of nodes of a settled tree. The builder halves ranges from DMI_TOP_FREE_LEVELS on; the rest is for those of
  * 2^32 leaves and for growth. */
-#define DMI_TOP_FREE_LEVELS 16 /* by hand: scenes of 100,000 parts take up to 9 */
+#define DMI_TOP_FREE_LEVELS 16 /* levels to spare; by hand: scenes of 100,000 parts take up to 9 */
 #define DMI_TOP_MOST_LEVELS (DMI_TOP_FREE_LEVELS + 32 + 16)
 
 typedef struct dmi_top_node {
     dmi_wide_node wide;
-    uint32_t count;  /* of children in use, which come first; 2 or more */
+    uint32_t count;  /* number of children in use, which come first; 2 or more */
     uint32_t parent; /* index; DMI_TOP_NONE for the root. For a free node: the next free one */
 } dmi_top_node;
 
 typedef struct dmi_top_leaf {
     dmi_box box;
-    uint32_t
-        parent;  /* of a placed leaf: the node; DMI_TOP_NONE when it is the root. Of a free leaf: the next free one */
-    bool placed; /* in the tree */
+    /* Node above a placed leaf, or DMI_TOP_NONE when it is the root. A free leaf holds the next free one here. */
+    uint32_t parent;
+    bool placed; /* the leaf is in the tree */
 } dmi_top_leaf;
 
 typedef struct dmi_top_tree {
@@ -32,10 +32,10 @@ typedef struct dmi_top_tree {
     dmi_top_node* nodes;
     dmi_top_leaf* leaves;
     void** items;          /* what each leaf stands for: close together, since a ray reads nothing else of a leaf */
-    dmi_box_item* sorted;  /* for rebuilding */
+    dmi_box_item* sorted;  /* scratch of a rebuild */
     uint32_t root;         /* reference; DMI_TOP_NONE when empty */
-    uint32_t levels;       /* of nodes, at most */
-    uint32_t capacity;     /* of the arrays */
+    uint32_t levels;       /* most levels of nodes */
+    uint32_t capacity;     /* capacity of the arrays */
     uint32_t placed_count; /* leaves in the tree */
     uint32_t free_leaf, free_node;
     uint32_t waiting;                 /* leaves, in `sorted` */

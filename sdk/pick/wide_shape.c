@@ -11,8 +11,8 @@ typedef struct restoring {
     const dmi_triangles* triangles;
     const dmi_tree_shape* shape;
     dmi_wide_tree* tree;
-    uint8_t* level;         /* of each node, from 1; 0: no node above it is known */
-    uint8_t* seen;          /* of each triangle: it is in a block */
+    uint8_t* level;         /* level of each node, from 1; 0: no node above it is known */
+    uint8_t* seen;          /* per triangle: it is in a block */
     uint32_t blocks, faces; /* so far */
 } restoring;
 
@@ -103,7 +103,7 @@ static dmi_box node_box(const dmi_wide_node* node) {
     return box;
 }
 
-/* From the last node to the root: what is below one comes after it. */
+/* Measures the boxes from the last node to the root, because what is below a node comes after it. */
 static void measure_boxes(dmi_wide_tree* tree) {
     static const dmi_box inside_out = {{INFINITY, INFINITY, INFINITY, 0}, {-INFINITY, -INFINITY, -INFINITY, 0}};
     for (uint32_t n = tree->node_count; n-- > 0;) {

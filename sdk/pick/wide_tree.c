@@ -28,7 +28,7 @@ typedef struct builder {
     dmi_wide_tree* tree; /* its arrays are scratch memory */
     uint32_t node_capacity, block_capacity;
     uint32_t placed; /* triangles in blocks */
-    uint32_t told;   /* of them, at the last report */
+    uint32_t told;   /* items placed at the last report */
     bool cancelled;
 } builder;
 

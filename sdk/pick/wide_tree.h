@@ -8,7 +8,7 @@
 
 #define DMI_BLOCK 4 /* triangles of a leaf: one register of SSE or NEON */
 /* Levels of nodes. The builder halves ranges from DMI_FREE_LEVELS on, and 2^32 triangles can be halved 32 times. */
-#define DMI_FREE_LEVELS 24 /* by hand: real meshes take up to 12 */
+#define DMI_FREE_LEVELS 24 /* levels to spare; by hand: real meshes take up to 12 */
 #define DMI_MOST_LEVELS (DMI_FREE_LEVELS + 32)
 
 typedef struct dmi_triangle_block {
@@ -23,7 +23,7 @@ struct dmi_wide_tree {
     dmi_wide_node* nodes; /* [0] is the root */
     dmi_triangle_block* blocks;
     uint32_t node_count, block_count;
-    dmi_wide_trace* trace; /* of the machine's instruction set */
+    dmi_wide_trace* trace; /* the trace of the machine's instruction set */
 };
 
 dm_result dmi_wide_tree_build(dmi_env* env, const dmi_triangles* triangles, dmi_wide_tree* out_tree);

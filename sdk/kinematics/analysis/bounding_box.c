@@ -9,7 +9,7 @@
 #define MIN_EDGE 1e-6f       /* object sizes: shorter hull edges give no direction; by hand */
 #define AREA_GAIN 0.999f     /* ratio to the least area so far below which a rectangle replaces it; by hand */
 #define VOLUME_GAIN 0.995f   /* the same for the volume of boxes; by hand */
-#define MIN_SIDE_SHARE 1e-3f /* of the longest side, added to all sides so that flat boxes compare; by hand */
+#define MIN_SIDE_SHARE 1e-3f /* share of the longest side, added to all sides so that flat boxes compare; by hand */
 
 typedef struct point2 {
     float x, y;

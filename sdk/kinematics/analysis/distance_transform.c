@@ -18,7 +18,7 @@
 /* LANES lines of the grid, side by side. */
 typedef struct lines {
     const int16_t* squares; /* squared distances in cells so far; EMPTY: no sample in reach */
-    size_t stride;          /* between the cells of a line */
+    size_t stride;          /* step between the cells of a line */
     int32_t n;              /* cells of a line */
 } lines;
 

@@ -9,7 +9,7 @@
 #define MAX_SEEDS 128           /* normals tried as the centre of a cluster, evenly spaced; by hand */
 #define PARALLEL_COSINE 0.9995f /* |cosine| of parallel normals (1.8 degrees); by hand */
 #define NEARBY_COSINE 0.985f    /* |cosine| of normals that a cluster takes (9.9 degrees); by hand */
-#define MIN_SHARE 0.01f         /* of the normals, in a cluster; by hand */
+#define MIN_SHARE 0.01f         /* least share of the normals in a cluster; by hand */
 
 /* Normals, coordinates separated. Zeros: taken. */
 typedef struct normal_set {

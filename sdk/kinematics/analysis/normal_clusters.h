@@ -6,7 +6,7 @@
 
 typedef struct dmi_normal_cluster {
     float direction[3]; /* unit; its sign is arbitrary */
-    float share;        /* of all normals, 0 .. 1 */
+    float share;        /* share of all normals, 0 .. 1 */
 } dmi_normal_cluster;
 
 /* Finds the directions that many of the unit normals are parallel to, regardless of sign, most frequent first. Returns

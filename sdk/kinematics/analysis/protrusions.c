@@ -4,11 +4,11 @@
 
 #define WIDEST_SHARE 32          /* the points with the widest gaps: 1 / 32 of all; by hand */
 #define PROBE_DISTANCE 0.02f     /* part diagonals from the box's side to the probes; by hand */
-#define PROBE_SPACING 0.35f      /* of the probes, in sides of the box; by hand */
+#define PROBE_SPACING 0.35f      /* spacing of the probes, in sides of the box; by hand */
 #define MIN_DISTANCE_SUM 1e-9f   /* object sizes: avoids a division by zero */
 #define FACE_THICKNESS 0.01f     /* part diagonals: points within it lie on one face; by hand */
 #define PROTRUSION_HEIGHT 0.015f /* part diagonals above the face, from which points protrude; by hand */
-#define MIN_PROTRUSION_POINTS 8  /* of DMI_ANALYSIS_POINTS; by hand */
+#define MIN_PROTRUSION_POINTS 8  /* least of the DMI_ANALYSIS_POINTS that protrude; by hand */
 #define MAX_PROTRUSION_SHARE 3   /* more than 1 / 3 of the points are no protrusion; by hand */
 
 enum { PROBES = 9 }; /* 3 x 3 on a side of the box */

@@ -11,7 +11,7 @@
 #define SMALL 0.7f        /* diagonals: largest shell that may be hardware; by hand */
 #define MOST 6            /* highest count; by hand */
 #define WIDEST 2          /* diagonals: largest size or span; by hand */
-#define CONTACT_POINTS 32 /* of a contact region, at most about twice as many; by hand */
+#define CONTACT_POINTS 32 /* points of a contact region, at most about twice as many; by hand */
 #define LEAST_CONTACT 5   /* points: a smaller region says nothing; by hand */
 #define NEGLIGIBLE 20     /* exponent from which a likeness is 0 */
 #define HARDWARE_REGION 1 /* the contact region whose gap is at most 0.03 of the part's diagonal */

@@ -18,12 +18,12 @@
 #define NETWORK_LINE_NEAR 0.12f
 
 /* Bounds that keep a feature in a range where a network is fitted; by hand. */
-#define MOST_HALF_SIDES 4      /* across the thinner side */
-#define MOST_WIDE_HALF_SIDES 2 /* across the wider side */
-#define MOST_DIAGONALS 0.5f    /* beyond a side */
+#define MOST_HALF_SIDES 4      /* bound across the thinner side */
+#define MOST_WIDE_HALF_SIDES 2 /* bound across the wider side */
+#define MOST_DIAGONALS 0.5f    /* bound beyond a side */
 #define MOST_NETWORK_OFFSET 3  /* diagonals */
-#define MOST_LOG_RATIO 12      /* of KPP-Net's likelihoods */
-#define MOST_TYPE_LEAD 8       /* between the types */
+#define MOST_LOG_RATIO 12      /* bound of the log ratio of KPP-Net's likelihoods */
+#define MOST_TYPE_LEAD 8       /* bound of one type's lead over the other */
 #define LOG_UNIT 4             /* what such logarithms are divided by */
 #define AREA_RATIO_UNIT 5      /* likewise */
 
@@ -170,7 +170,7 @@ static bool is_chord(const dmi_cheap_features* cheap, const dmi_candidate* c, co
     const float radius = dmi_length3(way), half = cheap->drag_length / (2 * radius + LEAST_SPEED);
     if (half > MOST_HALF_CHORD || fabsf(dmi_dot3(cheap->drag, c->axis)) > CHORD_TOLERANCE) return false;
     float arm[3];
-    dmi_cross3(way, c->axis, arm); /* from the axis to the dragged point */
+    dmi_cross3(way, c->axis, arm); /* the arm goes from the axis to the dragged point */
     const float inward = dmi_atan2f(-dmi_dot3(cheap->drag, arm), dmi_dot3(cheap->drag, way));
     return fabsf(inward - dmi_asinf(half)) < CHORD_TOLERANCE;
 }
@@ -207,7 +207,7 @@ static void pull_features(const dmi_cheap_features* cheap, const dmi_candidate* 
     float way[3], arm[3];
     dmi_candidate_velocity(c, cheap->hint->point, way);
     if (is_read_as_exact(cheap, c, way)) return;
-    dmi_cross3(way, c->axis, arm); /* from the axis to the dragged point */
+    dmi_cross3(way, c->axis, arm); /* the arm goes from the axis to the dragged point */
     dmi_normalize3(way);
     dmi_normalize3(arm);
     row[DMI_FEATURE_PULL_OUT_OF_PLANE] = dmi_asinf(dmi_min(fabsf(dmi_dot3(cheap->drag, c->axis)), 1));

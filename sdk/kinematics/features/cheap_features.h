@@ -15,7 +15,7 @@ typedef struct dmi_cheap_features {
     int room_axis;                    /* the axis of the object's frame that the drag runs along; -1: none */
     float side[3], middle[3];         /* lengths of the part's box and its centre, along its axes */
     float box_centre[3];
-    float log_diagonal, log_area_ratio; /* as the group SHAPE has them */
+    float log_diagonal, log_area_ratio; /* the same numbers as in the group SHAPE */
 } dmi_cheap_features;
 
 /* hint and prediction may be NULL. */

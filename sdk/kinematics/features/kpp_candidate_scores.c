@@ -6,7 +6,7 @@
 #include "nn/kernels.h"
 
 #define FAR 3.0f          /* bound of offsets and speeds, in the part's radius; by hand */
-#define LEAST_SIDE 0.02f  /* of the part's box, in its radius; by hand */
+#define LEAST_SIDE 0.02f  /* least side of the part's box, in its radius; by hand */
 #define LEAST_SPEED 1e-3f /* avoids a division by 0 */
 
 /* Where the shape numbers have the part's box and the drag (docs/networks.md). */
@@ -23,7 +23,7 @@ enum {
     MOTION = 16,
     DRAG_NUMBERS = 5
 };
-/* Of the dragged point's motion: */
+/* Features of the dragged point's motion: */
 enum { FOLLOWED = 0, DIRECTION = 1, SPEED = 4 };
 _Static_assert(MOTION + DRAG_NUMBERS == DMI_KPP_CANDIDATE_NUMBERS, "numbers of a candidate");
 

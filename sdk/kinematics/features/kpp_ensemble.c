@@ -5,7 +5,7 @@
 #include "math/linear3.h"
 
 #define MOST_OFFSET 2 /* radii of the part: a line farther off differs no more; by hand */
-#define LARGEST 1e6f  /* of an output: shipped weights stay below 100; squares stay far inside a float's range */
+#define LARGEST 1e6f  /* largest output: shipped weights stay below 100; squares stay far inside a float's range */
 
 /* Shifts log-likelihoods so that they add up to a probability of one. */
 static void normalize(float* scores, uint32_t count) {

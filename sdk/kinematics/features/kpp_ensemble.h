@@ -10,7 +10,7 @@
 typedef struct dmi_kpp_ensemble {
     dmi_kpp_input input[DMI_KPP_MEMBERS];
     dmi_kpp_output output[DMI_KPP_MEMBERS];
-    dmi_prediction prediction; /* of the member that the others agree with most; type: the mean of all */
+    dmi_prediction prediction; /* prediction of the member that the others agree with most; type: the mean of all */
 } dmi_kpp_ensemble;
 
 /* Returns false when an output can't be computed with: weights have overflowed. hint NULL: without a drag. scratch: as

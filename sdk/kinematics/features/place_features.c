@@ -4,16 +4,16 @@
 #include "math/elementary.h"
 #include "math/linear3.h"
 
-#define SURFACE_POINTS 96    /* of the part; by hand */
-#define ROTATED_POINTS 40    /* of the part, for rotational symmetry; by hand */
+#define SURFACE_POINTS 96    /* points of the part; by hand */
+#define ROTATED_POINTS 40    /* points of the part, for rotational symmetry; by hand */
 #define ALONG_SAMPLES 9      /* places on the axis, over the part's length; by hand */
 #define BEHIND_OFFSET 0.01f  /* diagonals beyond the axis from which a point counts as behind it; by hand */
-#define BEHIND_SHARE 0.01f   /* of the points: fewer behind the axis are none; by hand */
+#define BEHIND_SHARE 0.01f   /* share of the points; fewer behind the axis count as none; by hand */
 #define ROUND_DISTANCE 0.02f /* diagonals at which a likeness falls to 1 / e; by hand */
 #define UNLIKE_DISTANCE 0.5f /* diagonals: a point farther off counts as much as one at this distance; by hand */
 #define OFF_CENTRE 0.02f     /* diagonals from which an axis lies to a side of the part's centroid; by hand */
 #define MOST_REACH 2         /* times the part's farthest point; by hand */
-#define MOST_LOG_WIDTH 3     /* by hand */
+#define MOST_LOG_WIDTH 3     /* bound of the feature; by hand */
 #define LEAST_LENGTH 1e-9f   /* avoids a division by 0 */
 #define LEAST_EXTENT 1e-6f   /* objects, likewise */
 

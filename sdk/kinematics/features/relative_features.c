@@ -36,7 +36,7 @@ static bool counts(const dmi_candidate* candidate, int column) {
 static void compare_costs(const dmi_candidate* candidates, uint32_t count, float (*rows)[DMI_FEATURE_COUNT]) {
     for (size_t k = 0; k < sizeof compared / sizeof *compared; k++) {
         const int cost = compared[k].cost;
-        float best[2] = {HIGHEST_COST, HIGHEST_COST}; /* of turns, of slides */
+        float best[2] = {HIGHEST_COST, HIGHEST_COST}; /* least costs of turns and of slides */
         for (uint32_t i = 0; i < count; i++) {
             const int type = rows[i][DMI_FEATURE_PRISMATIC] > 0;
             if (counts(&candidates[i], cost)) best[type] = dmi_min(best[type], rows[i][cost]);

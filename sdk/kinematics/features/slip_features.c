@@ -3,8 +3,8 @@
 #include "kinematics/features/feature_groups.h"
 #include "math/linear3.h"
 
-#define SURFACE_POINTS 96    /* of the part; by hand */
-#define CONTACT_POINTS 40    /* of a contact region, at most about twice as many; by hand */
+#define SURFACE_POINTS 96    /* points of the part; by hand */
+#define CONTACT_POINTS 40    /* points of a contact region, at most about twice as many; by hand */
 #define LEAST_CONTACT 5      /* points: a smaller region says nothing; by hand */
 #define ON_AXIS_RADIUS 0.05f /* diagonals: a point so far from the axis counts half as on it; by hand */
 #define LEAST_SPEED 1e-9f    /* avoids a division by 0 */

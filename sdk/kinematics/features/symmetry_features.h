@@ -22,10 +22,10 @@ typedef struct dmi_mirror_plane {
 } dmi_mirror_plane;
 
 /* The candidates of a part share most of their mirrors: each is measured once. */
-#define DMI_MIRROR_PLANES 128 /* by hand: parts have a few dozen */
+#define DMI_MIRROR_PLANES 128 /* most planes; by hand: parts have a few dozen */
 typedef struct dmi_symmetry {
     const dmi_part_analysis* analysis;
-    float centre[3]; /* of the part's box */
+    float centre[3]; /* centre of the part's box */
     dmi_mirror_plane planes[DMI_MIRROR_PLANES];
     uint32_t count;
 } dmi_symmetry;
