@@ -69,7 +69,7 @@ static dm_result read_table(loading* load, const uint8_t* data, size_t size) {
     }
     bool complete = load->sections[DMI_DMO_POINTS].at != NULL || load->sections[DMI_DMO_PLAIN_POINTS].at != NULL;
     for (int s = 0; s < DMI_DMO_POINTS; s++) complete = complete && load->sections[s].at != NULL;
-    return complete ? DM_OK : bad(load, "a section is missing");
+    return complete ? DM_OK : refuse_data(load, "a section is missing");
 }
 
 /* Whether the section that holds the points has the size that these parts need. */
@@ -96,7 +96,7 @@ static dm_result read_object(loading* load) {
     if (part_count < 2 || part_count > DM_MAX_PARTS + 1 ||
         load->sections[DMI_DMO_PARTS].left != (uint64_t)part_count * DMI_DMO_PART_SIZE ||
         !fits_points(load, part_count)) {
-        return bad(load, "the number of parts does not fit the file");
+        return refuse_data(load, "the number of parts does not fit the file");
     }
     dm_result result = dmi_object_create(load->env, part_count, &load->object);
     if (result != DM_OK) return result;
@@ -211,7 +211,7 @@ static dm_result read_points(loading* load) {
         if (points->at != NULL)
             dmi_get_signed_halves(points, out->at[0], (size_t)DMI_PART_POINTS * 3);
         else if (!read_plain_points(plain, out))
-            return bad(load, "section PNT holds impossible numbers");
+            return refuse_data(load, "section PNT holds impossible numbers");
     }
     return DM_OK;
 }

@@ -58,7 +58,7 @@ static dm_result read_desc(dmi_env* env, const dm_gltf_desc* given, int has_data
     return check_desc(env, given, out, has_data);
 }
 
-static dm_result load(dm_gltf* gltf, const dm_gltf_desc* desc, dmi_gltf_problem* problem) {
+static dm_result load_document(dm_gltf* gltf, const dm_gltf_desc* desc, dmi_gltf_problem* problem) {
     dmi_gltf_container container;
     cJSON* root;
     dm_result result = dmi_gltf_split(desc->data, desc->size, problem, &container);
