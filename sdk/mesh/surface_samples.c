@@ -12,16 +12,18 @@
 
 /* By hand. */
 #define WANTED_HITS 3  /* hits a sample that a lattice is laid for: every third is taken, which keeps samples even */
-#define MOST_HITS 6    /* hits a sample that there is memory for */
+#define MOST_HITS 5    /* hits a sample that there is memory for */
 #define TRIES 8        /* lattices that are laid at most; each has twice or half the lines of the one before */
 #define FINEST 4096    /* lines across the longest side of the surface's box at most */
 #define MOST_ROWS 8e6  /* rows of cells that faces lie in, summed over the faces: about a tenth of a second */
+#define FEW_CELLS 4    /* cells that a small face's box covers at most: all are tried, none is computed */
 #define STEEPEST 1e-4f /* component of a normal below which no line along that axis meets the face */
-#define KEY_BITS 10    /* bits of each coordinate in a hit's key */
-#define RADIX_BITS 8   /* bits that one pass of the sort orders by */
+
+/* Bits of each coordinate in a hit's key, of the chance below them, and of one pass of the sort. */
+enum { KEY_BITS = 10, CHANCE_BITS = 18, RADIX_BITS = 8, PASSES = (3 * KEY_BITS + CHANCE_BITS) / RADIX_BITS };
 
 typedef struct hit {
-    uint64_t key; /* upper half: place along a Morton curve through the box; lower half: chance */
+    uint64_t key; /* place along a Morton curve through the box, then chance */
     uint32_t face;
     float at[3];
 } hit;
@@ -30,7 +32,8 @@ typedef struct lattice {
     const dmi_surface* surface;
     dmi_bounds box; /* of the surface */
     uint64_t seed;
-    float spacing;
+    float spacing, per_spacing; /* per_spacing = 1 / spacing */
+    float per_side;             /* 1 / the box's longest side */
     hit* hits;
     uint32_t count,
         capacity; /* count goes on where the capacity ends: it tells how much finer the lattice is than wanted */
@@ -40,25 +43,29 @@ typedef struct lattice {
 
 /* Returns the chance of the line in a cell: 21 bits each for its two coordinates in the cell and for its hits'
  * survival. */
-static uint64_t chance_of_line(const lattice* l, int axis, bool from_front, int32_t row, int32_t column) {
-    const uint64_t place = ((uint64_t)(uint32_t)row << 32) | (uint32_t)column;
-    return dmi_scramble(dmi_scramble(l->seed ^ (uint64_t)(2 * axis + from_front)) ^ place);
+static uint64_t chance_of_line(uint64_t side_seed, int32_t row, int32_t column) {
+    return dmi_scramble(side_seed ^ ((uint64_t)(uint32_t)row << 32 | (uint32_t)column));
 }
 
 static float unit_of(uint64_t bits) {
     return (float)(bits & 0x1fffff) * (1.0f / 2097152); /* literal: 21 bits */
 }
 
+/* Returns the bits of a number of KEY_BITS bits with two zeros between each and the next. */
+static uint64_t spread_bits(uint32_t x) {
+    x = (x | x << 16) & 0x030000ff;
+    x = (x | x << 8) & 0x0300f00f;
+    x = (x | x << 4) & 0x030c30c3;
+    return (x | x << 2) & 0x09249249;
+}
+
 static uint64_t key_of(const lattice* l, const float at[3], uint64_t chance) {
-    uint64_t key = 0;
-    uint32_t place[3];
-    float longest = FLT_MIN;
-    for (int k = 0; k < 3; k++) longest = dmi_max(longest, l->box.high[k] - l->box.low[k]);
-    for (int k = 0; k < 3; k++)
-        place[k] = (uint32_t)(dmi_clamp((at[k] - l->box.low[k]) / longest, 0, 1) * ((1 << KEY_BITS) - 1));
-    for (int bit = KEY_BITS - 1; bit >= 0; bit--)
-        for (int k = 0; k < 3; k++) key = key << 1 | (place[k] >> bit & 1);
-    return key << 32 | (chance & UINT32_MAX);
+    uint64_t place[3];
+    for (int k = 0; k < 3; k++) {
+        const float share = dmi_clamp((at[k] - l->box.low[k]) * l->per_side, 0, 1);
+        place[k] = spread_bits((uint32_t)(share * ((1 << KEY_BITS) - 1)));
+    }
+    return (place[0] << 2 | place[1] << 1 | place[2]) << CHANCE_BITS | (chance & ((1 << CHANCE_BITS) - 1));
 }
 
 /* ---- lines that meet a face ---- */
@@ -67,9 +74,10 @@ typedef struct face_shape {
     uint32_t face;
     const float* corner[3];
     const float* normal;
-    int axis, b, c;    /* of the lines, and the two across */
-    float kept;        /* share of the hits that are kept */
-    double twice_area; /* seen along the lines, with its sign */
+    float low[3], high[3]; /* the face's box */
+    int axis, b, c;        /* of the lines, and the two across */
+    float kept;            /* share of the hits that are kept */
+    uint64_t side_seed;    /* of the lines that come from the face's side */
 } face_shape;
 
 static double turn_of(const face_shape* f, const float* p, const float* q, double b, double c) {
@@ -78,14 +86,13 @@ static double turn_of(const face_shape* f, const float* p, const float* q, doubl
 }
 
 static void add_hit(lattice* l, const face_shape* f, float b, float c, uint64_t chance) {
-    double weight[3], sum = 0;
+    double weight[3], sum = 0; /* twice the areas between the line and the face's edges, of one sign inside the face */
     for (int i = 0; i < 3; i++) {
-        const double turn = turn_of(f, f->corner[(i + 1) % 3], f->corner[(i + 2) % 3], (double)b, (double)c);
-        weight[i] = f->twice_area < 0 ? -turn : turn;
-        if (weight[i] < 0) return;
+        weight[i] = turn_of(f, f->corner[(i + 1) % 3], f->corner[(i + 2) % 3], (double)b, (double)c);
         sum += weight[i];
     }
-    if (sum <= 0) return;
+    for (int i = 0; i < 3; i++)
+        if (sum == 0 || weight[i] / sum < 0) return;
     float at[3];
     at[f->b] = b, at[f->c] = c, at[f->axis] = 0;
     for (int i = 0; i < 3; i++) at[f->axis] += (float)(weight[i] / sum * (double)f->corner[i][f->axis]);
@@ -97,6 +104,16 @@ static void add_hit(lattice* l, const face_shape* f, float b, float c, uint64_t 
         *h = (hit){key_of(l, at, chance), f->face, {at[0], at[1], at[2]}};
     }
     l->count++;
+}
+
+/* Meets the face with the line of a cell. */
+static void meet_cell(lattice* l, const face_shape* f, int32_t row, int32_t column) {
+    const uint64_t chance = chance_of_line(f->side_seed, row, column);
+    if (unit_of(chance >> 42) >= f->kept) return; /* literal: the upper 21 of 63 bits */
+    const float b = l->box.low[f->b] + ((float)row + unit_of(chance)) * l->spacing;
+    const float c = l->box.low[f->c] + ((float)column + unit_of(chance >> 21)) * l->spacing;
+    if (b >= f->low[f->b] && b <= f->high[f->b] && c >= f->low[f->c] && c <= f->high[f->c])
+        add_hit(l, f, b, c, dmi_scramble(chance));
 }
 
 /* Computes between which c the face is while b is in [low, high]. Returns false when it is nowhere. */
@@ -120,37 +137,52 @@ static bool span_of_row(const face_shape* f, float low, float high, float* out_l
 /* Returns the cell of a coordinate inside the surface's box, -1 below it, the last one above. */
 static int32_t cell_of(const lattice* l, int axis, float at) {
     const float high = dmi_min(at, l->box.high[axis]) - l->box.low[axis];
-    return high < 0 ? -1 : (int32_t)(high / l->spacing);
+    return high < 0 ? -1 : (int32_t)(high * l->per_spacing);
 }
 
+/* Meets the face with the lines of a row of cells. */
 static void meet_row(lattice* l, const face_shape* f, int32_t row) {
-    const float step = l->spacing;
     float low, high;
-    const float first = l->box.low[f->b], left = l->box.low[f->c];
+    const float first = l->box.low[f->b], step = l->spacing;
     if (!span_of_row(f, first + (float)row * step, first + (float)(row + 1) * step, &low, &high)) return;
     const int32_t last = cell_of(l, f->c, high);
-    for (int32_t column = cell_of(l, f->c, low); column <= last; column++) {
-        const uint64_t chance = chance_of_line(l, f->axis, f->normal[f->axis] > 0, row, column);
-        if (unit_of(chance >> 42) >= f->kept) continue; /* literal: the upper 21 of 63 bits */
-        const float b = first + ((float)row + unit_of(chance)) * step;
-        const float c = left + ((float)column + unit_of(chance >> 21)) * step;
-        add_hit(l, f, b, c, dmi_scramble(chance));
+    for (int32_t column = cell_of(l, f->c, low); column <= last; column++) meet_cell(l, f, row, column);
+}
+
+/* Meets the face with the lines along its axis. Of a few cells, all are tried. */
+static void meet_lines(lattice* l, const face_shape* f) {
+    const int32_t row = cell_of(l, f->b, f->low[f->b]), last_row = cell_of(l, f->b, f->high[f->b]);
+    const int32_t column = cell_of(l, f->c, f->low[f->c]), last_column = cell_of(l, f->c, f->high[f->c]);
+    const bool is_small = (last_row - row + 1) * ((int64_t)last_column - column + 1) <= FEW_CELLS;
+    for (int32_t r = row; r <= last_row; r++) {
+        if (is_small)
+            for (int32_t c = column; c <= last_column; c++) meet_cell(l, f, r, c);
+        else
+            meet_row(l, f, r);
     }
+}
+
+static bool is_outside(const face_shape* f, const dmi_bounds* clip) {
+    for (int k = 0; k < 3; k++)
+        if (f->high[k] < clip->low[k] || f->low[k] > clip->high[k]) return true;
+    return false;
 }
 
 static void meet_face(lattice* l, uint32_t face) {
     const dmi_mesh* mesh = l->surface->mesh;
     face_shape f = {.face = face, .normal = mesh->face_normal + (size_t)face * 3};
     for (int i = 0; i < 3; i++) f.corner[i] = mesh->positions + (size_t)mesh->indices[(size_t)face * 3 + (size_t)i] * 3;
+    for (int k = 0; k < 3; k++) {
+        f.low[k] = dmi_min(f.corner[0][k], dmi_min(f.corner[1][k], f.corner[2][k]));
+        f.high[k] = dmi_max(f.corner[0][k], dmi_max(f.corner[1][k], f.corner[2][k]));
+    }
+    if (l->surface->clip != NULL && is_outside(&f, l->surface->clip)) return;
     f.kept = 1 / (fabsf(f.normal[0]) + fabsf(f.normal[1]) + fabsf(f.normal[2]));
     for (f.axis = 0; f.axis < 3; f.axis++) {
         if (fabsf(f.normal[f.axis]) < STEEPEST) continue;
         f.b = (f.axis + 1) % 3, f.c = (f.axis + 2) % 3;
-        f.twice_area = turn_of(&f, f.corner[0], f.corner[1], (double)f.corner[2][f.b], (double)f.corner[2][f.c]);
-        float low = FLT_MAX, high = -FLT_MAX;
-        for (int i = 0; i < 3; i++) low = dmi_min(low, f.corner[i][f.b]), high = dmi_max(high, f.corner[i][f.b]);
-        const int32_t last = cell_of(l, f.b, high);
-        for (int32_t row = cell_of(l, f.b, low); row <= last; row++) meet_row(l, &f, row);
+        f.side_seed = dmi_scramble(l->seed ^ (uint64_t)(2 * f.axis + (f.normal[f.axis] > 0)));
+        meet_lines(l, &f);
     }
 }
 
@@ -174,18 +206,19 @@ static dmi_bounds box_of(const dmi_surface* s) {
     return out;
 }
 
-/* Returns the power of the root of two below or at a positive number: sums of areas differ in their last bits with the
+/* Returns a positive number rounded down to five binary digits: sums of areas differ in their last digits with the
  * order of the faces, and the lattice must not. */
 static float round_down(float value) {
     int exponent;
-    const float fraction = frexpf(value, &exponent);
-    return ldexpf(fraction >= 0.70710678f ? 0.70710678f : 0.5f, exponent);
+    const float digits = 32 * frexpf(value, &exponent); /* literal: five digits */
+    return ldexpf((float)(int)digits / 32, exponent);   /* literal: as above */
 }
 
 static void meet_surface(lattice* l) {
     const dmi_surface* s = l->surface;
     l->count = 0;
-    for (uint32_t f = 0; f < s->mesh->face_count; f++)
+    l->per_spacing = 1 / l->spacing;
+    for (uint32_t f = 0; f < s->mesh->face_count && l->count <= l->capacity; f++)
         if (is_wanted(s, f)) meet_face(l, f);
 }
 
@@ -207,8 +240,9 @@ static double sum_of_extents(const dmi_surface* s) {
 
 /* Lays lattices until one has enough hits, or none finer is allowed. */
 static void lay_lattice(lattice* l, uint32_t count) {
-    float longest = 0;
+    float longest = FLT_MIN;
     for (int k = 0; k < 3; k++) longest = dmi_max(longest, l->box.high[k] - l->box.low[k]);
+    l->per_side = 1 / longest;
     const double rows = sum_of_extents(l->surface) / MOST_ROWS;
     const float finest = round_down(dmi_max(longest / FINEST, (float)rows) + FLT_MIN);
     l->spacing = round_down((float)sqrt(l->surface->area / (WANTED_HITS * (double)count)) + FLT_MIN);
@@ -227,13 +261,17 @@ static void lay_lattice(lattice* l, uint32_t count) {
 
 /* ---- samples among the hits ---- */
 
+/* Sorts by key, digit by digit, to and fro between the two arrays: an even number of times, so that the hits end where
+ * they were. */
 static void sort_hits(hit* hits, hit* spare, uint32_t count) {
-    for (unsigned shift = 0; shift < 64; shift += RADIX_BITS) {
+    _Static_assert(PASSES % 2 == 0, "the hits end in the spare array");
+    for (unsigned pass = 0; pass < PASSES; pass++) {
+        const unsigned shift = pass * RADIX_BITS, mask = (1 << RADIX_BITS) - 1;
+        hit *from = pass % 2 ? spare : hits, *to = pass % 2 ? hits : spare;
         uint32_t start[(1 << RADIX_BITS) + 1] = {0};
-        for (uint32_t i = 0; i < count; i++) start[(hits[i].key >> shift & ((1 << RADIX_BITS) - 1)) + 1]++;
+        for (uint32_t i = 0; i < count; i++) start[(from[i].key >> shift & mask) + 1]++;
         for (int d = 0; d < 1 << RADIX_BITS; d++) start[d + 1] += start[d];
-        for (uint32_t i = 0; i < count; i++) spare[start[hits[i].key >> shift & ((1 << RADIX_BITS) - 1)]++] = hits[i];
-        memcpy(hits, spare, count * sizeof *hits);
+        for (uint32_t i = 0; i < count; i++) to[start[from[i].key >> shift & mask]++] = from[i];
     }
 }
 

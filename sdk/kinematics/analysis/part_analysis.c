@@ -12,6 +12,8 @@
 #define MIN_PART_AREA 1e-12   /* object sizes squared: avoids a division by zero */
 #define NEAR_MARGIN 0.6f      /* of the near box, in longest sides of the part; by hand */
 #define MIN_NEAR_MARGIN 0.02f /* object sizes; by hand */
+#define BODY_CELLS 88         /* along the longest side of the body's distance grid: collisions need them; by hand */
+#define PART_CELLS 56         /* of the part's; by hand */
 #define PART_MARGIN 0.05f     /* of the part's distance grid, in part diagonals; by hand */
 
 /* Returns 1 for the parts that move with one, NULL without memory. */
@@ -66,14 +68,14 @@ static float (*part_vertices(dmi_arena* arena, const uint8_t* moving, dmi_part_a
 
 static dm_result make_grids(dmi_arena* arena, const float low[3], const float high[3], dmi_part_analysis* analysis) {
     dm_result result = dmi_distance_grid_make(arena, (const float(*)[3])analysis->near_points, analysis->near_count,
-                                              low, high, &analysis->body_grid);
+                                              low, high, BODY_CELLS, &analysis->body_grid);
     if (result != DM_OK) return result;
     float margin = PART_MARGIN * analysis->diagonal, part_low[3], part_high[3];
     for (int k = 0; k < 3; k++) {
         part_low[k] = analysis->low[k] - margin;
         part_high[k] = analysis->high[k] + margin;
     }
-    return dmi_distance_grid_make(arena, analysis->points, DMI_ANALYSIS_POINTS, part_low, part_high,
+    return dmi_distance_grid_make(arena, analysis->points, DMI_ANALYSIS_POINTS, part_low, part_high, PART_CELLS,
                                   &analysis->part_grid);
 }
 
