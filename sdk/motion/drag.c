@@ -10,8 +10,10 @@
 #include "base/number_bounds.h"
 #include "math/elementary.h"
 
-/* By hand. */
-#define SHORTEST_TIME 1e-9f /* s: a shorter update is none, so that a step over its time stays in a float's range */
+/* Shortest update, s; by hand. A shorter one counts as none, so that a step divided by its time stays in a float's
+ * range.
+ */
+#define SHORTEST_TIME 1e-9f
 
 static const dmi_constraints unconstrained = {.bounds = {-INFINITY, INFINITY}};
 

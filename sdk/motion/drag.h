@@ -56,9 +56,10 @@ typedef struct dmi_drag {
     float first_confidence;         /* confidence of that joint */
     bool limits_are_estimates;      /* the limits were inferred, and may be exceeded up to the reachable ones */
     float estimated_lower, estimated_upper, reachable_lower, reachable_upper;
-    dmi_span pointer_span; /* at whose ends the part is at its limits, as they were found; infinite without limits */
+    dmi_span pointer_span; /* pointer values at which the part is at its limits, as they were found; infinite without
+                              limits */
     float closed;          /* value at which the part is closed, inside the limits as they were found */
-    float open_way;        /* from there to where it is open, which may be negative; infinite without limits */
+    float open_way;        /* way from `closed` to where it is open, which may be negative; infinite without limits */
     dmi_pose_blend blend;
     uint32_t changes; /* changes of the active joint */
     dmi_release release;

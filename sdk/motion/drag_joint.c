@@ -8,9 +8,9 @@
 #include "math/vec3.h"
 #include "motion/drag_internal.h"
 
-/* By hand. */
+/* The values are set by hand. */
 #define LIMIT_TOLERANCE 1e-4f /* share of the range that counts as at a limit */
-#define OPEN_SHARE 0.006f     /* of the part's size: a grabbed point farther from rest has been moved */
+#define OPEN_SHARE 0.006f     /* share of the part's size: a grabbed point farther from rest has been moved */
 
 void dmi_drag_measure_speed(dmi_drag* drag) {
     float v[3];

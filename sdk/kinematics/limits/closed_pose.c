@@ -8,20 +8,20 @@
 #include "math/linear3.h"
 #include "math/vec3.h"
 
-#define POINTS 256         /* of the part that are looked at; by hand: a few of a front's edge are among them */
-#define SAMPLES 4096       /* of the body near it; by hand */
+#define POINTS 256         /* points of the part that are looked at; by hand: a few of a front's edge are among them */
+#define SAMPLES 4096       /* samples of the body near it; by hand */
 #define LEAST_PART 0.12f   /* object sizes: a smaller part is a button or a knob, which rests out; by hand */
 #define FARTHEST 1.0f      /* object sizes */
 #define FACING 0.8f        /* cosine between a face and the way that it looks; by hand */
-#define LOOKS_BACK (-.25f) /* and from the way to a body face that a point may face: cos(2 acos FACING) is 0.28 */
+#define LOOKS_BACK (-.25f) /* cosine from the way to a body face that a point may face: cos(2 acos FACING) is 0.28 */
 #define ROUNDING 1e-4f     /* object sizes, of a place across the axis; by hand */
 #define BESIDE 0.025f      /* object sizes between two samples that count as one before the other; by hand */
 #define MEETS 0.04f        /* share of the looking points that must have met the body; by hand */
 #define WITHIN 0.006f      /* object sizes in which they meet it, and of one plane; by hand: a grain of the samples */
-#define FLUSH_SHARE 0.12f  /* of the body's faces that look outwards and lie in one plane with the front; by hand */
+#define FLUSH_SHARE 0.12f  /* share of the body's outward faces that lie in one plane with the front; by hand */
 #define CLOSED_WAY 0.012f  /* object sizes: nearer than this it rests closed; by hand ... */
 #define CLOSED_SHARE 0.05f /* ... and of the part along the slide: drawers have room behind them; by hand */
-#define BEHIND 0.1f        /* of the part along the slide: most room behind it once its front is flush; by hand */
+#define BEHIND 0.1f        /* share of the part along the slide: most room behind it once its front is flush; by hand */
 
 /* One way of a slide. */
 typedef struct closing {

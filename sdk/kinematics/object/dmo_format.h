@@ -44,7 +44,7 @@
 #define DMI_DMO_AXES 9                         /* numbers of dmi_axes.to_canonical in HST */
 #define DMI_DMO_PART_SIZE (3 * 4 + 10 * 4 + 4) /* bytes of a part in PART */
 #define DMI_DMO_POINTS_SIZE (3 * (size_t)2 * DMI_PART_POINTS)        /* bytes of a part in PT16 */
-#define DMI_DMO_OLD_POINTS 512                                       /* of a part in PNT */
+#define DMI_DMO_OLD_POINTS 512                                       /* points of a part in PNT */
 #define DMI_DMO_OLD_POINTS_SIZE (3 * (size_t)4 * DMI_DMO_OLD_POINTS) /* bytes of a part in PNT */
 #define DMI_DMO_VERTEX_SIZE (3 * (size_t)4)                          /* bytes of a vertex in TRI */
 #define DMI_DMO_TRIANGLE_SIZE (3 * 4 + 2)                            /* bytes of a triangle in TRI */

@@ -5,8 +5,8 @@
 
 enum { BLOCK = 1 << 18 }; /* bytes of the model's memory that are asked for at once; by hand */
 
-/* By hand: pine; the sheet metal and board that furniture is made of; dry wood on wood slides at three times as much,
- * drawers on runners at less; a door pushed and let go comes to rest in about a second. */
+/* The values are set by hand: pine; the sheet metal and board that furniture is made of; dry wood on wood slides at
+ * three times as much, drawers on runners at less; a door pushed and let go comes to rest in about a second. */
 static const dmi_rig_values usual = {.density = 600, .thickness = 0.003, .friction = 0.1, .damping_time = 0.5};
 
 /* The stated value, the usual one for 0, and 0 for a negative one. */

@@ -98,7 +98,7 @@ static void judge_groups(dm_gltf* gltf) {
 
 static void keep_kinds(dm_gltf* gltf, const dmi_pivot_kind* kinds) {
     gltf->pivots_are_lost = gltf->node_count > 1;
-    for (uint32_t i = gltf->node_count; i-- > 0;) { /* of several with one node, the first counts */
+    for (uint32_t i = gltf->node_count; i-- > 0;) { /* where several have one node, the first counts */
         gltf->tree[gltf->nodes[i].node].pivot_kind = (uint8_t)kinds[i];
         gltf->pivots_are_lost &= kinds[i] == DMI_PIVOT_UNSET;
     }
