@@ -1,16 +1,14 @@
 #!/usr/bin/env bash
 # tests/prose.sh [--count | room…] — lists the comments of these rooms that begin with a preposition, as FILE:LINE: and the
-# comment's first words; exits 1 if there is one. Without a room it takes those that are done, below. --count prints how many
-# each folder of sdk and plugin_api has.
+# comment's first words; exits 1 if there is one. Without a room it takes all of them. --count prints how many each folder of
+# sdk and plugin_api has.
 #
 # A comment says what a function returns or computes, or what a value is, in a sentence that has a verb or in a noun with
 # its unit. One that begins "Of", "For" or "In" leaves the reader to guess what it is of.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-done="plugin_api sdk/assets sdk/base sdk/kinematics/candidates sdk/kinematics/hints sdk/kinematics/inference
-    sdk/kinematics/kpp sdk/kinematics/limits sdk/kinematics/object sdk/kinematics/ranking sdk/math sdk/mesh/export
-    sdk/mesh/gltf sdk/motion sdk/nn sdk/segmentation"
-exec python3 - "${@:-$done}" <<'PYTHON'
+all="plugin_api sdk"
+exec python3 - ${@:-$all} <<'PYTHON'
 import collections
 import pathlib
 import re

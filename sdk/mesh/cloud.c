@@ -11,7 +11,7 @@
 #include "mesh/surface_area.h"
 #include "mesh/surface_samples.h"
 
-/* By hand; networks are trained with them. */
+/* The values are set by hand; networks are trained with them. */
 #define NEAR_GROWTH 0.2f                /* growth of the part's box on each side, share of its diagonal … */
 #define NEAR_MIN_GROWTH 0.02f           /* … and at least this, share of the object's size */
 #define NEAR_MIN_AREA 1e-9              /* share of the object's size squared; less near area counts as none */

@@ -10,7 +10,7 @@
 #include "math/linear3.h"
 #include "math/place_hash.h"
 
-/* By hand. */
+/* The values are set by hand. */
 #define WANTED_HITS 3  /* hits a sample that a lattice is laid for: every third is taken, which keeps samples even */
 #define MOST_HITS 5    /* hits a sample that there is memory for */
 #define TRIES 8        /* lattices that are laid at most; each has twice or half the lines of the one before */
@@ -30,7 +30,7 @@ typedef struct hit {
 
 typedef struct lattice {
     const dmi_surface* surface;
-    dmi_bounds box; /* of the surface */
+    dmi_bounds box; /* the surface's box */
     uint64_t seed;
     float spacing, per_spacing; /* per_spacing = 1 / spacing */
     float per_side;             /* 1 / the box's longest side */
@@ -75,9 +75,9 @@ typedef struct face_shape {
     const float* corner[3];
     const float* normal;
     float low[3], high[3]; /* the face's box */
-    int axis, b, c;        /* of the lines, and the two across */
+    int axis, b, c;        /* the lines' axis, and the two across it */
     float kept;            /* share of the hits that are kept */
-    uint64_t side_seed;    /* of the lines that come from the face's side */
+    uint64_t side_seed;    /* seed of the lines that come from the face's side */
 } face_shape;
 
 static double turn_of(const face_shape* f, const float* p, const float* q, double b, double c) {

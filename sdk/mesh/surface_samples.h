@@ -12,7 +12,7 @@ typedef struct dmi_surface {
     const dmi_mesh* mesh;
     const uint8_t* wanted;  /* part -> 1: its faces belong to the surface */
     const dmi_bounds* clip; /* what is outside does not; NULL: nothing is cut off */
-    double area;            /* of the surface, about */
+    double area;            /* the surface's area, roughly */
 } dmi_surface;
 
 /* Draws `count` samples, a power of two, of a surface of some area, in low-discrepancy order: the first few are spread

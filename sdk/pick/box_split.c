@@ -8,7 +8,7 @@
 
 #define BINS 16          /* an axis; by hand: 32 build 15 % slower and trace no faster */
 #define MANY 64          /* items from which on DMI_SPLIT_FAST looks along one axis; by hand */
-#define BIN_EDGE 0.9999f /* of BINS: keeps the largest centre in the last bin; by hand */
+#define BIN_EDGE 0.9999f /* factor of BINS: keeps the largest centre in the last bin; by hand */
 
 typedef struct bins {
     dmi_box box[3][BINS];

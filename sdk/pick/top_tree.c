@@ -11,9 +11,9 @@
 
 #define FIRST_CAPACITY 8                                     /* leaves; doubles when full */
 #define MOST_PENDING (DMI_WIDE * (DMI_TOP_FREE_LEVELS + 32)) /* ranges of a rebuild that wait */
-#define ENTRIES (DMI_WIDE + 1)                               /* of a node that overflows */
+#define ENTRIES (DMI_WIDE + 1)                               /* entries of a node that overflows */
 #define MOST_SPREAD 2   /* surface of a group of new leaves, of that of the leaves beside it; by hand */
-#define LEAST_ENTRIES 2 /* of each half */
+#define LEAST_ENTRIES 2 /* fewest entries of each half */
 
 /* A child with its box. */
 typedef struct entry {

@@ -19,9 +19,9 @@
 #define MOST_STACKED ((DMI_WIDE - 1) * DMI_MOST_LEVELS + 1)
 
 typedef struct traced_ray {
-    float origin[3], inverse[3];          /* of the direction; infinities are fine */
+    float origin[3], inverse[3];          /* inverse: that of the direction; infinities are fine */
     float far;                            /* the nearest hit so far */
-    uint32_t near_plane[3], far_plane[3]; /* of a node, by axis */
+    uint32_t near_plane[3], far_plane[3]; /* planes of a node, by axis */
     /* The axis of the direction's largest component last, the other two in an order that keeps the winding; how far a
      * step along it shifts the other two, and its own scale. */
     int axis[3];

@@ -13,7 +13,7 @@
 typedef struct dmi_distance_grid {
     float low[3], cell, per_cell; /* cell: side of a cell; per_cell = 1 / cell */
     int32_t size[3];              /* cells along each axis; x varies fastest */
-    float* distance;              /* from a cell's centre to the centre of the nearest cell that holds a sample; 128
+    float* distance;              /* distance from a cell's centre to that of the nearest cell that holds a sample; 128
                                    * cells where that is farther, or where no cell does */
     int16_t* in_row;              /* squared distances in cells to the nearest such cell of the same row (x) ... */
     int16_t* in_slab;             /* ... and of the same slab (x and y) */

@@ -5,10 +5,10 @@
 #include "math/elementary.h"
 #include "math/linear3.h"
 
-#define FIXED_DIRECTIONS 96      /* over the half sphere; by hand */
+#define FIXED_DIRECTIONS 96      /* directions over the half sphere; by hand */
 #define MAX_DIRECTIONS 128       /* fixed and extra ones; by hand */
 #define GOLDEN_ANGLE 2.39996323f /* radians, pi (3 - sqrt 5): step of the Fibonacci lattice on the sphere */
-#define TILT 1e-4f               /* of a direction; by hand */
+#define TILT 1e-4f               /* part of another way that is added to a direction; by hand */
 #define LANES 4                  /* points at a time */
 #define BLOCK 1024               /* points copied at a time, coordinates separated: fits a level 1 cache; by hand */
 

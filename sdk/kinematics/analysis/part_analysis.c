@@ -7,14 +7,14 @@
 #include "math/linear3.h"
 #include "math/place_hash.h"
 
-#define MAX_VERTICES 32768    /* of the part, beyond which about every n-th is used, chosen by its place; by hand */
+#define MAX_VERTICES 32768    /* most vertices of the part; of more, about every n-th is used, by its place; by hand */
 #define MIN_DIAGONAL 1e-5f    /* object sizes: avoids a division by zero */
 #define MIN_PART_AREA 1e-12   /* object sizes squared: avoids a division by zero */
-#define NEAR_MARGIN 0.6f      /* of the near box, in longest sides of the part; by hand */
+#define NEAR_MARGIN 0.6f      /* margin of the near box, in longest sides of the part; by hand */
 #define MIN_NEAR_MARGIN 0.02f /* object sizes; by hand */
-#define BODY_CELLS 88         /* along the longest side of the body's distance grid: collisions need them; by hand */
-#define PART_CELLS 56         /* of the part's; by hand */
-#define PART_MARGIN 0.05f     /* of the part's distance grid, in part diagonals; by hand */
+#define BODY_CELLS 88         /* cells along the body grid's longest side: collisions need so many; by hand */
+#define PART_CELLS 56         /* cells along the part grid's longest side; by hand */
+#define PART_MARGIN 0.05f     /* margin of the part's distance grid, in part diagonals; by hand */
 
 /* Returns 1 for the parts that move with one, NULL without memory. */
 static uint8_t* mark_parts(dmi_arena* arena, const dmi_mesh* mesh, uint32_t part) {

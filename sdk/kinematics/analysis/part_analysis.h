@@ -14,8 +14,8 @@
 
 #define DMI_ANALYSIS_POINTS 2048  /* surface points of the part: the cloud's part block */
 #define DMI_CONTACT_REGIONS 3     /* absolute, relative and rank limit of the gap, see contacts.c */
-#define DMI_MAX_PATCHES 24        /* of the part, and of the body near it; by hand */
-#define DMI_MAX_NORMAL_CLUSTERS 6 /* of the part, and of the body near it; by hand */
+#define DMI_MAX_PATCHES 24        /* patches of the part, and of the body near it; by hand */
+#define DMI_MAX_NORMAL_CLUSTERS 6 /* clusters of the part, and of the body near it; by hand */
 #define DMI_WELD_TOLERANCE 1e-5f  /* object sizes, of the welded vertices; by hand */
 
 /* The part's points whose gap is below a limit. */
@@ -30,7 +30,7 @@ typedef struct dmi_contact {
 typedef struct dmi_patch {
     float area, diagonal;
     float centroid[3], box_centre[3];
-    float axis[3], point[3], residual; /* as of dmi_slippage; residual > 1: not computed */
+    float axis[3], point[3], residual; /* the turn's, as dmi_slippage has it; residual > 1: not computed */
     bool is_shell;
 } dmi_patch;
 
@@ -46,18 +46,18 @@ typedef struct dmi_part_analysis {
     uint32_t near_count;
     float low[3], high[3]; /* axis-aligned box of the part's vertices */
     float centre[3];       /* mean of its points */
-    float diagonal;        /* of the axis-aligned box */
+    float diagonal;        /* diagonal of the axis-aligned box */
     float area_ratio;      /* the body's area / the part's */
     float extreme_points[DMI_MAX_HULL_POINTS][3];
     uint32_t extreme_point_count;
-    float object_extreme_points[DMI_MAX_HULL_POINTS][3]; /* of the part and the body */
+    float object_extreme_points[DMI_MAX_HULL_POINTS][3]; /* extreme points of part and body together */
     uint32_t object_extreme_point_count;
     /* the points with the widest gaps: mean, longest direction, root mean square distance from the mean (0: no body) */
     float widest_gap_mean[3], widest_gap_direction[3];
     float widest_gap_spread;
     dmi_box box;
-    float body_side[3]; /* along the box's axes: 1, the body lies only in the negative direction; -1, only in the
-                         * positive; 0, on both sides alike */
+    float body_side[3]; /* side of the body along each axis of the box: 1, the body lies only in the negative direction;
+                         * -1, only in the positive; 0, on both sides alike */
     /* the points that protrude beyond the box's outer face: mean, longest direction, root mean square distance from
      * the mean, share of the points (0: none) */
     float protrusion_mean[3], protrusion_direction[3];
@@ -68,7 +68,7 @@ typedef struct dmi_part_analysis {
     dmi_normal_cluster part_clusters[DMI_MAX_NORMAL_CLUSTERS], near_clusters[DMI_MAX_NORMAL_CLUSTERS];
     uint32_t part_cluster_count, near_cluster_count;
     dmi_contact contacts[DMI_CONTACT_REGIONS];
-    dmi_slippage slippage[1 + 2 * DMI_CONTACT_REGIONS]; /* of the part; of a contact's part side and body side */
+    dmi_slippage slippage[1 + 2 * DMI_CONTACT_REGIONS]; /* the part's; a contact's part side and body side */
     bool has_slippage[1 + 2 * DMI_CONTACT_REGIONS];
     dmi_patch part_patches[DMI_MAX_PATCHES], near_patches[DMI_MAX_PATCHES];
     uint32_t part_patch_count, near_patch_count;

@@ -6,10 +6,10 @@
 #include "math/linear3.h"
 #include "math/place_hash.h"
 
-#define MAX_FACES 24576 /* of one side; by hand */
+#define MAX_FACES 24576 /* most faces of one side; by hand */
 #define NO_BYTE 0xff    /* memset value that makes every uint32_t UINT32_MAX */
 
-enum { DIGIT_BITS = 16, DIGITS = 1 << DIGIT_BITS }; /* of the radix selection */
+enum { DIGIT_BITS = 16, DIGITS = 1 << DIGIT_BITS }; /* digits of the radix selection */
 
 /* Returns the area's bits: positive floats are ordered as their bits are. */
 static uint32_t area_key(const dmi_mesh* mesh, uint32_t face) {

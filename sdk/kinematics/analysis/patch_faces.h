@@ -7,7 +7,7 @@
 #include "mesh/mesh.h"
 
 typedef struct dmi_patch_faces {
-    dmi_mesh mesh;       /* without positions; indices are those of welded vertices */
+    dmi_mesh mesh;       /* has no positions; its indices are those of welded vertices */
     float (*corners)[3]; /* positions of the three corners of each face */
     float* gap;          /* least of a face's corners to the other side; object-normalised */
 } dmi_patch_faces;

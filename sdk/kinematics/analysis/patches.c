@@ -9,13 +9,13 @@
 #include "math/place_hash.h"
 #include "mesh/connectivity.h"
 
-#define LARGEST_REGIONS 5    /* of a level that become patches; by hand */
-#define NEAREST_REGIONS 5    /* of a level that become patches, by gap; by hand */
-#define MIN_SHELL_FACES 2u   /* of a patch that is a shell; by hand */
-#define MIN_REGION_FACES 6u  /* of a patch that is a smooth region, and of one with an axis; by hand */
-#define MAX_FITTED_FACES 512 /* of a region, for its axis, evenly chosen; by hand */
+#define LARGEST_REGIONS 5    /* regions of a level that become patches; by hand */
+#define NEAREST_REGIONS 5    /* the same by gap; by hand */
+#define MIN_SHELL_FACES 2u   /* fewest faces of a patch that is a shell; by hand */
+#define MIN_REGION_FACES 6u  /* fewest faces of a smooth region, and of a patch with an axis; by hand */
+#define MAX_FITTED_FACES 512 /* faces of a region that its axis is fitted to, evenly chosen; by hand */
 #define MIN_WEIGHT 1e-12f    /* object sizes squared, added to the weight of samples: keeps the sum positive */
-#define ROUNDED_BITS 7       /* of 23, that rounding leaves out of sums of areas */
+#define ROUNDED_BITS 7       /* bits of 23 that rounding leaves out of sums of areas */
 #define NO_AXIS 2            /* residual of a patch without an axis; see dmi_patch */
 #define SAME_AREA 1e-3f      /* relative difference below which patches are the same; by hand */
 #define SAME_CENTRE 1e-4f    /* object sizes between their box centres; by hand */

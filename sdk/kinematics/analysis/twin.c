@@ -7,7 +7,7 @@
 #define MOST_GAP 0.1f    /* part diagonals between the twins, or that they overlap; by hand */
 #define ALIKE 0.03f      /* part diagonals: mean distance from the other's image; by hand */
 #define UNLIKE 0.25f     /* part diagonals: no point counts for more; by hand */
-#define KNOWN_SHARE 0.5f /* of the part's points whose image must lie where the body is sampled; by hand */
+#define KNOWN_SHARE 0.5f /* share of the part's points whose image must lie where the body is sampled; by hand */
 
 enum { BOX_SIDES = 6 };
 

@@ -15,12 +15,12 @@ static const float step_sine[STEPS] = {0.059964006f, 0.099833417f, 0.14943813f, 
                                        0.60518641f,  0.71735609f,  0.84147098f, 0.93203909f, 0.98544973f};
 static const float step_share[STEPS] = {0.04f, 0.08f, 0.12f, 0.18f, 0.25f, 0.33f, 0.41f, 0.5f, 0.61f, 0.73f, 0.85f};
 
-/* In cells of the body's distance grid; by hand. The grid's distances are exact to a cell. */
+/* Distances in cells of the body's grid, which are exact to a cell; by hand. */
 #define TOUCH_CELLS 2.1f /* nearer than this a point touches the body */
 #define HIT_CELLS 0.9f   /* nearer than this a point that was free has met it */
 
 typedef struct sweep {
-    float hit[2][STEPS], detached[2][STEPS], touch[2][STEPS]; /* along the joint, and against it */
+    float hit[2][STEPS], detached[2][STEPS], touch[2][STEPS]; /* one way: along the joint; the other: against it */
 } sweep;
 
 void dmi_sweep_features_begin(dmi_feature_context* context) {
@@ -78,7 +78,7 @@ static void sweep_part(const dmi_feature_context* context, const dmi_candidate* 
     }
 }
 
-/* With a drag the candidate's positive way is along it. Without one the smaller number comes first. */
+/* Writes the numbers of both ways: the drag's way first, or the smaller number where there is no drag. */
 static void write_pair(const dmi_feature_context* context, const float both[2][STEPS], int step, float* along,
                        float* against) {
     const float a = both[0][step], b = both[1][step];

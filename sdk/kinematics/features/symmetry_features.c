@@ -3,8 +3,8 @@
 
 #include "math/linear3.h"
 
-#define PART_POINTS 64         /* by hand */
-#define BODY_POINTS 128        /* by hand */
+#define PART_POINTS 64         /* points of the part that are compared; by hand */
+#define BODY_POINTS 128        /* points of the body that are compared; by hand */
 #define SAME_COSINE 0.9999998f /* 0.6 mrad between the normals of one mirror; by hand */
 #define UNLIKE 0.25f           /* diagonals: farther than this is no likeness at all; by hand */
 #define KNOWN_SHARE 4          /* one image in so many must lie in the grid; by hand */
