@@ -35,14 +35,13 @@ typedef struct lattice {
     float spacing, per_spacing; /* per_spacing = 1 / spacing */
     float per_side;             /* 1 / the box's longest side */
     hit* hits;
-    uint32_t count,
-        capacity; /* count goes on where the capacity ends: it tells how much finer the lattice is than wanted */
+    uint32_t count, capacity; /* count > capacity: there are too many to keep, and some are not counted */
 } lattice;
 
 /* ---- chance that belongs to a place ---- */
 
-/* Returns the chance of the line in a cell: 21 bits each for its two coordinates in the cell and for its hits'
- * survival. */
+/* Returns the chance of the line in a cell: 21 bits each for its two coordinates there and for whether hits are kept.
+ */
 static uint64_t chance_of_line(uint64_t side_seed, int32_t row, int32_t column) {
     return dmi_scramble(side_seed ^ ((uint64_t)(uint32_t)row << 32 | (uint32_t)column));
 }
