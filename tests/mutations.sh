@@ -11,7 +11,7 @@ mutations=(
     "relative features against the wrong type|$features/relative_features.c|s/best\[!type\]/best[type]/|test_golden_features"
     "the protrusion never found|$analysis/protrusions.c|s/\(define MIN_PROTRUSION_POINTS\) 8 /\1 9999/|test_golden_features"
     "the network-free share .2 -> .9|sdk/kinematics/ranking/ranker.c|s/\(define NETWORK_FREE_SHARE\) 0.2f/\1 0.9f/|test_ranker test_golden_features"
-    "the drag's cone .8 -> .95|sdk/kinematics/candidates/candidates.c|s/^    0.8f \/\*/    0.95f \/*/|test_candidates"
+    "the drag's cone .8 -> .95|sdk/kinematics/candidates/candidates.c|s/\(define NEAR_DRAG_COSINE\) 0.8f/\1 0.95f/|test_candidates"
     "the widest gaps' share 32 -> 4|$analysis/protrusions.c|s/\(define WIDEST_SHARE\) 32/\1 4/|test_golden_features"
     "the usual opening a third of a turn|sdk/kinematics/limits/limits.c|s/\(define USUAL_OPENING\) DMI_HALF_PI_F/\1 2.0943951f/|test_limits"
     "a sign in a feature|$features/cheap_features.c|s/\(SECTION_THIN_OFFSET\] = clamp(\)away/\1-away/|test_golden_features"
