@@ -1,4 +1,4 @@
-/* Pixels, and stb's encoder. */
+/* Pixels, lines and words. */
 #include "canvas.h"
 
 #include <errno.h>
@@ -6,16 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef __clang_analyzer__ /* which does not read that library's code */
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#else
-unsigned char* stbi_write_png_to_mem(const unsigned char* pixels, int stride, int x, int y, int n, int* out_len);
-#endif
-#include <stb/stb_image_write.h>
-
 #include "../10_viewer/font.h"
-#include "../common/output_file.h"
+#include "../common/png_file.h"
 
 canvas canvas_new(int width, int height) {
     const size_t size = (size_t)width * (size_t)height * 3;
@@ -77,10 +69,7 @@ float canvas_text(canvas* c, float x, float y, float size, const char* text, con
 }
 
 int canvas_write(const canvas* c, const char* path) {
-    int size = 0;
-    void* bytes = c->rgb == NULL ? NULL : stbi_write_png_to_mem(c->rgb, 3 * c->width, c->width, c->height, 3, &size);
-    if (bytes == NULL) errno = ENOMEM;
-    const int status = bytes != NULL ? output_write(path, bytes, (size_t)size) : -1;
-    free(bytes);
-    return status;
+    if (c->rgb != NULL) return png_write(path, c->rgb, c->width, c->height);
+    errno = ENOMEM;
+    return -1;
 }

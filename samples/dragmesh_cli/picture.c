@@ -1,21 +1,11 @@
 /* An RGB picture and its .png. */
 #include "picture.h"
 
-#include <errno.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef __clang_analyzer__ /* which does not read that library's code */
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#else
-unsigned char* stbi_write_png_to_mem(const unsigned char* pixels, int stride, int x, int y, int n, int* out_len);
-#endif
-#include <stb/stb_image_write.h>
-
-#include "../common/output_file.h"
+#include "../common/png_file.h"
 #include "cli.h"
 
 picture picture_new(int width, int height) {
@@ -63,17 +53,9 @@ void picture_line(picture* picture, double x0, double y0, double x1, double y1, 
 }
 
 void* picture_encode(const picture* picture, size_t* out_size) {
-    int size = 0;
-    void* bytes = stbi_write_png_to_mem(picture->rgb, 3 * picture->width, picture->width, picture->height, 3, &size);
-    *out_size = (size_t)size;
-    return bytes;
+    return png_encode(picture->rgb, picture->width, picture->height, out_size);
 }
 
 int picture_write(const picture* picture, const char* path) {
-    size_t size;
-    void* bytes = picture_encode(picture, &size);
-    if (bytes == NULL) errno = ENOMEM;
-    const int status = bytes != NULL ? output_write(path, bytes, size) : -1;
-    free(bytes);
-    return status;
+    return png_write(path, picture->rgb, picture->width, picture->height);
 }
