@@ -339,8 +339,9 @@ end
 
 -- Programs ---------------------------------------------------------------------------------------------------------
 
+local tools = { "tools/common", "tools/dragmesh", "tools/evaluate", "samples/common" }
 if has_gltf then
-    program("dragmesh_cli", { "samples/dragmesh_cli/*.c", "samples/common/*.c" }, { api }, { "dragmesh", "dragmesh_gltf", "cjson", "m" })
+    program("dragmesh_cli", { "tools/*/*.c", "samples/common/*.c" }, table.join({ api }, tools), { "dragmesh", "dragmesh_gltf", "cjson", "m" })
         targetname "dragmesh"
         pin("stat", pinned.stat)
         pin("start", pinned.start)
@@ -401,7 +402,7 @@ program("caller", { "tests/abi/caller.c" }, { api, "samples/common" }, { "dragme
 
 -- Tests: one program a file ------------------------------------------------------------------------------------------
 
-local everything = { api, "sdk", generator, "tests/include", "samples/dragmesh_cli", "samples/common" }
+local everything = table.join({ api, "sdk", generator, "tests/include" }, tools)
 -- Debian has cmocka for this machine alone; elsewhere a header of the same calls serves.
 if cross then table.insert(everything, "tests/cross") end
 local cmocka = cross and {} or { "cmocka" }
@@ -466,7 +467,7 @@ library("fuzz_driver", { "tests/fuzz/driver.c" }, { api, "sdk" })
 
 for _, source in ipairs(os.matchfiles("tests/fuzz/fuzz_*.c")) do
     local name, sources = source:match("([%w_]+)%.c$"), { source }
-    if name == "fuzz_jobs" then sources = { source, "samples/dragmesh_cli/*.c", "samples/common/*.c" } end
+    if name == "fuzz_jobs" then sources = { source, "tools/*/*.c", "samples/common/*.c" } end
     program(name, sources, everything, { "fuzz_driver", "dragmesh_gltf", "dragmesh_core", "dl", "m" }, "/fuzz")
         if name == "fuzz_jobs" then defines { "main=dragmesh_main" } end
         filter "configurations:fuzz"

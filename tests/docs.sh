@@ -6,7 +6,7 @@
 # comments.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-files=$(find docs -name '*.md'; find samples bindings -name README.md; ls README.md CHANGELOG.md CONTRIBUTING.md sdk/models/README.md \
+files=$(find docs -name '*.md'; find samples tools bindings -name README.md; ls README.md CHANGELOG.md CONTRIBUTING.md sdk/models/README.md \
     training/README.md packaging/archive.md)
 
 # Every byte that does not continue a UTF-8 character counts as one character.
@@ -37,7 +37,7 @@ broken=$(awk 'FNR == 1 { code = 0 }
     done)
 
 # Capitals stand for a name that the reader fills in; training/runs is made by training.
-gone=$(grep -noE '`(sdk|plugin_api|training|tests|scripts|docs|samples|bindings)/[a-z0-9_./-]+`' $files | tr -d '`' |
+gone=$(grep -noE '`(sdk|plugin_api|training|tests|scripts|docs|samples|tools|bindings)/[a-z0-9_./-]+`' $files | tr -d '`' |
     while IFS=: read -r file line path; do
         case $file:$path in docs/research/* | *:training/runs*) continue ;; esac
         [ -e "$path" ] || echo "$file:$line: $path does not exist"

@@ -50,7 +50,7 @@ forbid() {
     done
 }
 
-forbid base/arena.c mesh/mesh.h dragmesh_cli/options.h generator/generator.h generator.h dragmesh_lab.h
+forbid base/arena.c mesh/mesh.h options.h common/options.h generator/generator.h generator.h dragmesh_lab.h
 forbid math/frames.c mesh/mesh.h pick/pick.h
 forbid mesh/mesh.c motion/drag.h kinematics/analysis/part_analysis.h nn/layers.h
 forbid pick/scene.c kinematics/object/object.h motion/drag.h
@@ -67,7 +67,8 @@ forbid motion/drag.c kinematics/object/object.h pick/pick.h segmentation/part_fi
 # Which headers a room finds: `header LINE` in the compiler's output for each.
 (cd sdk && find . -name '*.h' | sed 's|^\./||' | sort) > "$work/sdk"
 (cd plugin_api/src && ls ./*.h | sed 's|^\./||'; cd ../../samples && find . -name '*.h' | sed 's|^\./||'
- cd ../training && find . -name '*.h' | sed 's|^\./||'; cd generator && find . -name '*.h' | sed 's|^\./||'
+ cd ../tools && find . -name '*.h' | sed 's|^\./||'; cd common && ls ./*.h | sed 's|^\./||'
+ cd ../../training && find . -name '*.h' | sed 's|^\./||'; cd generator && find . -name '*.h' | sed 's|^\./||'
  cd "$root/tests" && find . -name '*.h' | sed 's|^\./||') | sort -u > "$work/outside"
 cat "$work/sdk" "$work/outside" | sed 's/.*/#if __has_include("&")\n"&"\n#endif/' > "$work/probe.c"
 for room in $rooms; do
@@ -106,9 +107,9 @@ refuse_circles() {
 }
 
 # A quoted header lies beside the file that includes it, or below one of these folders.
-folders="sdk samples/common samples/dragmesh_cli plugin_api/include"
-names sdk plugin_api samples bindings > "$work/files"
-includes sdk plugin_api samples bindings | awk -v folders="$folders" '
+folders="sdk samples/common tools/common plugin_api/include"
+names sdk plugin_api samples tools bindings > "$work/files"
+includes sdk plugin_api samples tools bindings | awk -v folders="$folders" '
     NR == FNR { exists[$1]; next }
     {
         beside = $1

@@ -1,4 +1,4 @@
-/* The scripted player's measure of a part that goes through the body (samples/dragmesh_cli/dragbot_body.c), on a plate
+/* The scripted player's measure of a part that goes through the body (tools/evaluate/dragbot_body.c), on a plate
  * above a single sheet, which has no inside, and above two. */
 #include <setjmp.h>
 #include <stdarg.h>

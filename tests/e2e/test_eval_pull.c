@@ -1,4 +1,4 @@
-/* The pulls of `dragmesh eval` (samples/dragmesh_cli/pull.c) of a door hung on the z axis, and of a drawer; and the
+/* The pulls of `dragmesh eval` (tools/evaluate/pull.c) of a door hung on the z axis, and of a drawer; and the
  * command with each of them. */
 #include "test_tool.h"
 

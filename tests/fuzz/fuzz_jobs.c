@@ -10,7 +10,7 @@
 
 #include <cjson/cJSON.h>
 
-#include "../../samples/dragmesh_cli/cli.h"
+#include "cli.h"
 #include "dragmesh/ext/gltf.h"
 #include "expect.h"
 

@@ -92,7 +92,7 @@ def hand(t):
     return t * t * t * (10 - 15 * t + 6 * t * t)
 
 
-# Frames, as samples/dragmesh_cli/dragbot_plan.c has them.
+# Frames, as tools/evaluate/dragbot_plan.c has them.
 JOSTLE_OUT, JOSTLE_BACK, PAUSE, REGRAB, REGRAB_AT = 6, 10, 45, 12, 10
 REST = 30  # frames that a hand which takes hold beside the point keeps still
 

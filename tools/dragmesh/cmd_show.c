@@ -2,11 +2,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "../common/shown.h"
 #include "files.h"
 #include "job.h"
 #include "json.h"
 #include "session_open.h"
+#include "shown.h"
 
 /* What is printed of a part. */
 typedef struct part_entry {

@@ -5,14 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/output_file.h"
-#include "../common/shown.h"
 #include "dataset.h"
 #include "files.h"
 #include "metrics.h"
+#include "output_file.h"
 #include "play.h"
 #include "render.h"
 #include "session_open.h"
+#include "shown.h"
 
 enum { PANELS = 6, UPDATES = 90, PANEL_PIXELS = 420, LEAST_PIXELS = 16, MOST_PIXELS = 1024 }; /* by hand */
 static const float seconds = 1.5f;                                                            /* of the drag */

@@ -2,7 +2,7 @@
 #ifndef CLI_FILE_SET_H
 #define CLI_FILE_SET_H
 
-#include "../common/output_file.h"
+#include "output_file.h"
 #include "session.h"
 
 typedef struct file_set_item {

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/png_file.h"
 #include "cli.h"
+#include "png_file.h"
 
 picture picture_new(int width, int height) {
     const size_t size = (size_t)width * (size_t)height * 3;

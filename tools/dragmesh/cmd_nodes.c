@@ -2,11 +2,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "../common/shown.h"
 #include "json.h"
 #include "nodes.h"
 #include "options.h"
 #include "session_open.h"
+#include "shown.h"
 
 /* What is printed of a node. */
 typedef struct node_entry {

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/output_file.h"
+#include "output_file.h"
 
 bool part_at_point_requested(const name_list* moving) {
     return moving->count == 1 && strcmp(moving->names[0], "auto") == 0;

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "../common/platform.h"
+#include "platform.h"
 
 double timing_now_ns(clockid_t clock) {
     struct timespec now;

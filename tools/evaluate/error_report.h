@@ -2,8 +2,8 @@
 #ifndef CLI_ERROR_REPORT_H
 #define CLI_ERROR_REPORT_H
 
-#include "../common/output_file.h"
 #include "metrics.h"
+#include "output_file.h"
 #include "picture.h"
 
 /* A folder that gets a strip of pictures for each wrong answer (at rest, open as the truth has it, open as answered;

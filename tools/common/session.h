@@ -4,11 +4,11 @@
 
 #include <stdbool.h>
 
-#include "../common/platform.h"
 #include "cli.h"
 #include "dragmesh/dragmesh.h"
 #include "dragmesh/ext/gltf.h"
 #include "part_hints.h"
+#include "platform.h"
 #include "warnings.h"
 
 /* Which inference method answers; docs/accuracy.md compares them. */

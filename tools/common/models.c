@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/weights_folder.h"
 #include "files.h"
+#include "weights_folder.h"
 
 typedef struct weights {
     char* data; /* NULL: there is no such file */

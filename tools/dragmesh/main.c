@@ -3,10 +3,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../common/platform.h"
 #include "cli.h"
 #include "dragmesh/dragmesh.h"
 #include "help.h"
+#include "platform.h"
 
 static const cli_command* const commands[] = {&cli_rig,   &cli_infer, &cli_animate, &cli_film,
                                               &cli_nodes, &cli_pick,  &cli_prepare, &cli_show,

@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-#include "../common/platform.h"
 #include "cli.h"
+#include "platform.h"
 
 /* Names from a comma-separated list; the option may come several times. */
 typedef struct name_list {

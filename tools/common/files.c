@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/platform.h"
 #include "cli.h"
+#include "platform.h"
 
 #define STREAM_MOST ((size_t)1 << 30) /* bytes that are read of a stream; by hand */
 

@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/output_file.h"
 #include "dragbot_rig.h"
 #include "dragbot_score.h"
 #include "eval_hints.h"
+#include "output_file.h"
 #include "session_open.h"
 
 static int by_time(const void* a, const void* b) {

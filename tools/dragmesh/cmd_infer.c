@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/platform.h"
 #include "files.h"
 #include "job.h"
 #include "json.h"
 #include "part_at_point.h"
+#include "platform.h"
 #include "session_open.h"
 
 static cJSON* result_for(const cJSON* id) {

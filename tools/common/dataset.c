@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/platform.h"
 #include "files.h"
+#include "platform.h"
 
 static int by_name(const void* a, const void* b) {
     return strcmp(*(char* const*)a, *(char* const*)b);

@@ -6,8 +6,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "../common/output_file.h"
 #include "dataset.h"
+#include "output_file.h"
 #include "random.h"
 
 /* The player's screen, pixels; by hand. */

@@ -2,10 +2,10 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "../common/shown.h"
 #include "job.h"
 #include "joint_type.h"
 #include "json.h"
+#include "shown.h"
 
 void joint_to_json(const dm_joint* joint, const double frame[3], cJSON* out) {
     cJSON_AddStringToObject(out, "type", joint_type_name(joint->type));

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/output_file.h"
 #include "files.h"
+#include "output_file.h"
 
 enum { PATH_SHOWN = 200 }; /* bytes of a path in an error */
 

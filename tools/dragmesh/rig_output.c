@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/output_file.h"
 #include "files.h"
 #include "json.h"
+#include "output_file.h"
 
 bool rig_output_is_answer(const char* path) {
     const size_t length = strlen(path);

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/platform.h"
 #include "files.h"
+#include "platform.h"
 #include "render.h"
 
 /* Pixels and counts of the layout; by hand. */

@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/platform.h"
 #include "bench_objects.h"
 #include "box_object.h"
 #include "json.h"
 #include "options.h"
+#include "platform.h"
 #include "session.h"
 #include "session_open.h"
 #include "timing.h"

@@ -10,8 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/output_file.h"
 #include "help.h"
+#include "output_file.h"
 
 int options_refuse(const cli_command* command, const char* format, ...) {
     va_list arguments;
