@@ -41,34 +41,9 @@ typedef struct joint_answer {
     double prepare_ms, kinematics_ms, motion_ms; /* kinematics is part of prepare */
 } joint_answer;
 
-/* The options every command that takes a job has: their values and a table of them. */
-typedef struct job_options {
-    job job;
-    const char *models, *type;
-    float vector[3];
-    int has_point, has_vector, has_choice;
-} job_options;
-enum { JOB_OPTIONS = 8 };
-void job_options_table(job_options* options, option_spec out_table[JOB_OPTIONS]);
-/* After reading: fills options->job; CLI_OK or CLI_USAGE. */
-int job_options_finish(const cli_command* command, job_options* options, const char* file);
-
-/* From a line of jobs; session->error says what is wrong. */
-dm_result job_from_json(session* session, const cJSON* json, job* out_job);
-void job_free(job* job);
-
 /* Answers a job, whose drag then is in the session's frame; its file and object become the session's. */
 dm_result job_answer(session* session, job* job, joint_answer* out_answer);
 /* The same for a mesh that is no file's; part_ids as `mesh` says. */
 dm_result job_answer_mesh(session* session, const dm_mesh_desc* mesh, const job* job, joint_answer* out_answer);
-
-/* Adds type, axis, origin … to a result object. */
-void answer_to_json(const joint_answer* answer, cJSON* out);
-void answer_print(const joint_answer* answer);
-/* frame: origin of the joint's frame, which is added to the joint's own. */
-void joint_to_json(const dm_joint* joint, const double frame[3], cJSON* out);
-/* Says what the percentages of joint_print are. */
-void confidence_print(void);
-void joint_print(const dm_joint* joint, const double frame[3]);
 
 #endif

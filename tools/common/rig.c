@@ -1,7 +1,6 @@
 /* Hands the file's nodes over, and asks for the parts. */
 #include "rig.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -68,11 +67,6 @@ void rig_free(session* session, rig* rig) {
     for (uint32_t i = 0; rig->parts != NULL && i < rig->info.part_count; i++) free(rig->parts[i].nodes);
     free(rig->parts);
     if (rig->asset) dm_asset_destroy(session->context, rig->asset);
-}
-
-void rig_describe(const rig* rig, char* out, size_t size) {
-    snprintf(out, size, "%u of %u parts move%s, %.1f s", rig->info.moving_count, rig->info.part_count,
-             rig->info.moving_count == 1 ? "s" : "", rig->seconds);
 }
 
 static bool has_node(const rig_part* part, uint32_t node) {

@@ -12,13 +12,37 @@
 
 enum { PATH_SHOWN = 200 }; /* bytes of a path in an error */
 
+/* Adds a copy of a text that is not there yet. */
+static void add_warning(warnings* list, const char* text) {
+    for (int i = 0; i < list->count; i++)
+        if (strcmp(list->texts[i], text) == 0) return;
+    char** texts = cli_alloc(((size_t)list->count + 1) * sizeof *texts);
+    if (list->count > 0) memcpy(texts, list->texts, (size_t)list->count * sizeof *texts);
+    free(list->texts);
+    list->texts = texts;
+    list->texts[list->count++] = cli_copy_text(text);
+}
+
+static void clear_warnings(warnings* list) {
+    for (int i = 0; i < list->count; i++) free(list->texts[i]);
+    free(list->texts);
+    *list = (warnings){NULL, 0};
+}
+
+/* Appends the texts to the member `warnings`, an array; makes it where there is a first one. */
+static void list_warnings(const warnings* list, cJSON* out) {
+    cJSON* array = cJSON_GetObjectItemCaseSensitive(out, "warnings");
+    if (array == NULL && list->count > 0) array = cJSON_AddArrayToObject(out, "warnings");
+    for (int i = 0; i < list->count; i++) cJSON_AddItemToArray(array, cJSON_CreateString(list->texts[i]));
+}
+
 static void set_error(session* session, dm_result code, const char* text) {
     snprintf(session->error, sizeof session->error, "%s: %s", dm_result_string(code), text);
 }
 
 /* Keeps a warning for answers as JSON. Objects of one file mostly have the same one: it is printed once in a row. */
 static void warn(session* session, const char* text) {
-    warnings_add(session->opens_file ? &session->file_warnings : &session->object_warnings, text);
+    add_warning(session->opens_file ? &session->file_warnings : &session->object_warnings, text);
     if (session->is_quiet) return;
     if (session->warned != NULL && strcmp(session->warned, text) == 0) return;
     fprintf(stderr, "dragmesh: %s\n", text);
@@ -38,8 +62,8 @@ dm_log session_log(session* session) {
 }
 
 void session_warnings_to_json(const session* session, cJSON* out) {
-    warnings_to_json(&session->file_warnings, out);
-    warnings_to_json(&session->object_warnings, out);
+    list_warnings(&session->file_warnings, out);
+    list_warnings(&session->object_warnings, out);
 }
 
 dm_result session_fail(session* session, dm_result code, const char* format, ...) {
@@ -82,7 +106,7 @@ void session_release_object(session* session) {
     free(session->part_ids);
     session->object = 0;
     session->part_ids = NULL;
-    warnings_clear(&session->object_warnings);
+    clear_warnings(&session->object_warnings);
 }
 
 void session_own_part_ids(session* session, uint8_t* ids, size_t count, int32_t scope, int32_t joint_type) {
@@ -99,7 +123,7 @@ static void release_file(session* session) {
     free(session->path);
     session->gltf = NULL;
     session->path = NULL;
-    warnings_clear(&session->file_warnings);
+    clear_warnings(&session->file_warnings);
 }
 
 void session_close(session* session) {

@@ -4,12 +4,13 @@
 
 #include <stdbool.h>
 
+#include <cjson/cJSON.h>
+
 #include "cli.h"
 #include "dragmesh/dragmesh.h"
 #include "dragmesh/ext/gltf.h"
 #include "part_hints.h"
 #include "platform.h"
-#include "warnings.h"
 
 /* Which inference method answers; docs/accuracy.md compares them. */
 enum session_method {
@@ -21,6 +22,11 @@ enum session_method {
 
 /* Beside the library's results, which are 0 and below: a file could not be written. */
 #define SESSION_NOT_WRITTEN ((dm_result)1)
+
+typedef struct warnings {
+    char** texts;
+    int count;
+} warnings;
 
 typedef struct session {
     dm_context* context;

@@ -1,8 +1,9 @@
 /* Answers as JSON and as text. */
+#include "answer.h"
+
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "job.h"
 #include "joint_type.h"
 #include "json.h"
 #include "shown.h"

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "answer.h"
 #include "dataset.h"
 #include "files.h"
 #include "metrics.h"

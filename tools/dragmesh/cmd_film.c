@@ -2,6 +2,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "answer.h"
+#include "job_input.h"
 #include "play.h"
 #include "render.h"
 #include "session_open.h"

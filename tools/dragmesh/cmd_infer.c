@@ -4,8 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "answer.h"
 #include "files.h"
-#include "job.h"
+#include "job_input.h"
 #include "json.h"
 #include "part_at_point.h"
 #include "platform.h"

@@ -4,10 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "answer.h"
 #include "files.h"
 #include "job.h"
 #include "json.h"
-#include "rig.h"
+#include "rig_output.h"
 #include "session_open.h"
 
 /* How the parts are told. */

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "json.h"
-#include "rig.h"
 #include "rig_output.h"
 #include "session_open.h"
 

@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "answer.h"
 #include "files.h"
-#include "job.h"
 #include "json.h"
 #include "session_open.h"
 #include "shown.h"

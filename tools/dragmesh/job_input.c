@@ -1,10 +1,11 @@
 /* Jobs from the command line and from lines of JSON. */
+#include "job_input.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "job.h"
 #include "joint_type.h"
 #include "part_at_point.h"
 

@@ -6,7 +6,7 @@
 
 #include "dragmesh/ext/gltf_rig.h"
 #include "files.h"
-#include "rig.h"
+#include "rig_output.h"
 
 typedef struct format {
     const char* name;

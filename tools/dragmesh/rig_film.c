@@ -2,14 +2,48 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "play.h"
 #include "render.h"
-#include "rig.h"
+#include "rig_output.h"
 
 enum { FRAMES = 3, PIXELS = 280, GAP = 6 }; /* pictures of a strip, their side and what is between them; by hand */
 enum { DASHES = 5 };                        /* of the line along which a part slides; by hand */
 static const double axis_share = 0.7;       /* half the drawn axis, as a share of the part's size; by hand */
 static const double side_share =
-    0.02; /* of the size, mean way from which on it says where the camera stands; by hand */
+    0.02;             /* of the size, mean way from which on it says where the camera stands; by hand */
+#define FAR_SHARE 0.5 /* of the part's size, that one without limits slides; by hand */
+
+/* Returns the value at which a part counts as open: at its limit; without one, a quarter turn or half its size on. */
+static float open_value(const rig_part* part) {
+    const bool limited = part->joint.type != DM_JOINT_CONTINUOUS && part->joint.lower < part->joint.upper;
+    if (limited) return play_target(&part->joint);
+    if (part->joint.type != DM_JOINT_PRISMATIC) return (float)(TWO_PI / 4);
+    return (float)(FAR_SHARE * length(sub(vec_of(part->part.box_max), vec_of(part->part.box_min))));
+}
+
+/* Writes the poses of all parts, those that carry them included, at a share of the way from rest to open, 0 to 1.
+ * out_poses: by part id, 1 and the count of parts. */
+static dm_result pose_parts(const rig* rig, float share, dm_pose* out_poses) {
+    const dm_pose rest = {.real = {0, 0, 0, 1}};
+    const uint32_t count = rig->info.part_count;
+    dm_pose* own = cli_alloc(count * sizeof *own);
+    dm_result result = DM_OK;
+    out_poses[0] = rest;
+    for (uint32_t i = 0; i < count && result == DM_OK; i++) {
+        const rig_part* part = &rig->parts[i];
+        own[i] = rest;
+        if (part->part.part_id != 0)
+            result = dm_joint_pose(&part->joint, open_value(part) * minimum_jerk(share), &own[i]);
+    }
+    for (uint32_t i = 0; i < count && result == DM_OK; i++) {
+        out_poses[i + 1] = own[i];
+        for (uint32_t above = rig->parts[i].part.parent; above != DM_ASSET_NO_PART;
+             above = rig->parts[above].part.parent)
+            dm_pose_multiply(&own[above], &out_poses[i + 1], &out_poses[i + 1]);
+    }
+    free(own);
+    return result;
+}
 
 /* Draws a line in a part's colour: dashed where the part slides along it, else whole. */
 static void draw_axis(const renderer* r, uint32_t part_id, vec from, vec to, bool slides, picture* strip) {
@@ -68,7 +102,7 @@ static dm_result draw(renderer* r, const rig* rig, picture* strip) {
     dm_pose* poses = cli_alloc((size_t)FRAMES * count * sizeof *poses);
     dm_result result = DM_OK;
     for (uint32_t i = 0; i < FRAMES && result == DM_OK; i++)
-        result = rig_pose(rig, (float)i / (FRAMES - 1), poses + (size_t)i * count);
+        result = pose_parts(rig, (float)i / (FRAMES - 1), poses + (size_t)i * count);
     const vec way = result == DM_OK ? mean_way(r, poses + (size_t)(FRAMES - 1) * count) : (vec){0, 0, 0};
     if (result == DM_OK) render_aim(r, way, poses, FRAMES, PIXELS, PIXELS);
     for (uint32_t i = 0; i < FRAMES && result == DM_OK; i++)

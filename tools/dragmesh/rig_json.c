@@ -1,9 +1,10 @@
 /* The answer about an asset as JSON. */
 #include <stdio.h>
 
+#include "answer.h"
 #include "joint_type.h"
 #include "json.h"
-#include "rig.h"
+#include "rig_output.h"
 
 const char* rig_options_text(const rig_options* options, char* out, size_t size) {
     const uint32_t version = dm_version();

@@ -49,6 +49,12 @@ dm_result rig_output_write(session* session, const rig* rig, const rig_options* 
     return result;
 }
 
+/* Writes `%s` with what the parts are: "3 of 12 parts move". */
+static void describe(const rig* rig, char* out, size_t size) {
+    snprintf(out, size, "%u of %u parts move%s, %.1f s", rig->info.moving_count, rig->info.part_count,
+             rig->info.moving_count == 1 ? "s" : "", rig->seconds);
+}
+
 void rig_output_report(const session* session, const rig_output* output, const char* file, bool is_done, const rig* rig,
                        const rig_options* options) {
     char line[128];
@@ -57,7 +63,7 @@ void rig_output_report(const session* session, const rig_output* output, const c
     } else if (output->as_json) {
         json_print_line(rig_to_json(session, rig, options));
     } else {
-        rig_describe(rig, line, sizeof line);
+        describe(rig, line, sizeof line);
         printf("%s: %s\n", file, line);
     }
 }
@@ -65,7 +71,7 @@ void rig_output_report(const session* session, const rig_output* output, const c
 void rig_output_leave_word(const rig_output* output, bool is_done, const rig* rig, const char* error) {
     char line[128];
     char* path = path_join(output->path, RIG_WORD);
-    if (is_done) rig_describe(rig, line, sizeof line);
+    if (is_done) describe(rig, line, sizeof line);
     const char* word = is_done ? line : error;
     output_write(path, word, strlen(word));
     free(path);
