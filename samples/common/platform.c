@@ -9,6 +9,8 @@
 
 #include <dirent.h>
 
+enum { PROGRAM_NAME = 64 }; /* bytes of the longest name of a program, a separator before it; by hand */
+
 #if defined(_WIN32)
 
 #include <direct.h>
@@ -182,22 +184,46 @@ static bool append_argument(const char* argument, char* line, size_t size) {
     return true;
 }
 
+static bool start_program(const wchar_t* program, wchar_t* line, platform_child* out_child) {
+    STARTUPINFOW start = {.cb = sizeof start};
+    PROCESS_INFORMATION made;
+    if (!CreateProcessW(program, line, NULL, NULL, TRUE, 0, NULL, NULL, &start, &made)) {
+        errno = GetLastError() == ERROR_FILE_NOT_FOUND ? ENOENT : EAGAIN;
+        return false;
+    }
+    CloseHandle(made.hThread);
+    out_child->process = (intptr_t)made.hProcess;
+    return true;
+}
+
 bool platform_start_child(char* const* arguments, platform_child* out_child) {
     static char line[2 * WIDE_PATH];
     static wchar_t program[WIDE_PATH], wide[2 * WIDE_PATH];
     const DWORD length = GetModuleFileNameW(NULL, program, WIDE_PATH);
-    STARTUPINFOW start = {.cb = sizeof start};
-    PROCESS_INFORMATION made;
     line[0] = 0;
     errno = E2BIG;
     for (int i = 0; arguments[i] != NULL; i++)
         if (!append_argument(arguments[i], line, sizeof line)) return false;
     if (length == 0 || length == WIDE_PATH || !widen(line, wide, 2 * WIDE_PATH)) return false;
-    errno = EAGAIN;
-    if (!CreateProcessW(program, wide, NULL, NULL, TRUE, 0, NULL, NULL, &start, &made)) return false;
-    CloseHandle(made.hThread);
-    out_child->process = (intptr_t)made.hProcess;
-    return true;
+    return start_program(program, wide, out_child);
+}
+
+/* Windows can't replace a running program: this one waits for the other one, and ends with its status. */
+void platform_become(const char* name, char* const* arguments) {
+    (void)arguments; /* the other program reads the same line */
+    char folder[WIDE_PATH], path[WIDE_PATH + PROGRAM_NAME];
+    wchar_t wide[WIDE_PATH];
+    platform_child child;
+    DWORD status;
+    errno = ENAMETOOLONG;
+    if (!platform_program_folder(folder, sizeof folder)) return;
+    snprintf(path, sizeof path, "%s\\%s.exe", folder, name);
+    wchar_t* line = _wcsdup(GetCommandLineW());
+    if (line != NULL && widen(path, wide, WIDE_PATH) && start_program(wide, line, &child)) {
+        WaitForSingleObject((HANDLE)child.process, INFINITE);
+        exit(GetExitCodeProcess((HANDLE)child.process, &status) ? (int)status : EXIT_FAILURE);
+    }
+    free(line);
 }
 
 int platform_wait_child(const platform_child* children, int count, int* out_status) {
@@ -217,6 +243,9 @@ int platform_wait_child(const platform_child* children, int count, int* out_stat
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#if defined(__APPLE__)
+#include <mach-o/dyld.h>
+#endif
 
 extern char** environ;
 
@@ -324,12 +353,31 @@ bool platform_list(const char* folder, void (*entry)(void* user, const char* nam
     return true;
 }
 
+#if defined(__APPLE__)
+static bool read_program_path(char* out_path, size_t size) {
+    char given[PATH_MAX], real[PATH_MAX]; /* real: without links */
+    uint32_t room = sizeof given;
+    if (_NSGetExecutablePath(given, &room) != 0 || realpath(given, real) == NULL) return false;
+    return snprintf(out_path, size, "%s", real) < (int)size;
+}
+#else
+static bool read_program_path(char* out_path, size_t size) {
+    return platform_read_link("/proc/self/exe", out_path, size);
+}
+#endif
+
 bool platform_program_folder(char* out_path, size_t size) {
-    const ssize_t length = readlink("/proc/self/exe", out_path, size - 1);
-    if (length <= 0) return false;
-    out_path[length] = 0;
+    if (!read_program_path(out_path, size)) return false;
     *strrchr(out_path, '/') = 0;
     return true;
+}
+
+void platform_become(const char* name, char* const* arguments) {
+    char folder[PATH_MAX], path[PATH_MAX + PROGRAM_NAME];
+    errno = ENAMETOOLONG;
+    if (!platform_program_folder(folder, sizeof folder)) return;
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    execv(path, arguments);
 }
 
 #endif

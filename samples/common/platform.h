@@ -67,6 +67,10 @@ bool platform_program_folder(char* out_path, size_t size);
 /* When a file was last written, s since 1970; 0: there is none. */
 double platform_modified(const char* path);
 
+/* Ends this program with what the program `name` of its folder does, which gets the same standard streams and
+ * arguments, those of main. Returns, with errno set, where that one can't be run. */
+void platform_become(const char* name, char* const* arguments);
+
 /* A process that this program has started. */
 typedef struct platform_child {
     intptr_t process;
