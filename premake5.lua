@@ -133,11 +133,15 @@ local pinned = {
     start = { "__libc_start_main", "hypot" },
 }
 
+-- gcc 12 for 64-bit Arm ends in an internal error where it makes vectors of a loop with fmin or fmax.
+local function mind_gcc_12()
+    if cross == "linux-arm64" then buildoptions { "-fno-tree-loop-vectorize" } end
+end
+
 local function program(name, sources, includes, libraries, folder)
     make(name, "ConsoleApp", sources, includes, libraries)
         if windows then links { "pthread" } end -- mingw's clock_gettime
-        -- gcc 12 for 64-bit Arm ends in an internal error where it makes vectors of a loop with fmin or fmax.
-        if cross == "linux-arm64" then buildoptions { "-fno-tree-loop-vectorize" } end
+        mind_gcc_12()
         targetdir("build/" .. out .. (folder or ""))
         if not windows then
             linkoptions { "-Wl,-rpath,'$$ORIGIN',-rpath,'$$ORIGIN/..',-rpath,'$$ORIGIN/../lib'" }
@@ -339,12 +343,19 @@ end
 
 -- Programs ---------------------------------------------------------------------------------------------------------
 
-local tools = { "tools/common", "tools/dragmesh", "tools/evaluate", "samples/common" }
+-- The tools: hosts of the public headers alone. A tool finds its own headers and those of tools/common, no other tool's.
+local tools = { "tools/common", "samples/common" }
 if has_gltf then
-    program("dragmesh_cli", { "tools/*/*.c", "samples/common/*.c" }, table.join({ api }, tools), { "dragmesh", "dragmesh_gltf", "cjson", "m" })
-        targetname "dragmesh"
-        pin("stat", pinned.stat)
-        pin("start", pinned.start)
+    library("dragmesh_tools", { "tools/common/*.c", "samples/common/*.c" }, table.join({ api }, tools))
+        mind_gcc_12()
+
+    for _, row in ipairs { { "dragmesh_cli", "dragmesh", "dragmesh" }, { "dragmesh_evaluate", "evaluate", "dragmesh-evaluate" } } do
+        program(row[1], { "tools/" .. row[2] .. "/*.c" }, table.join({ api }, tools),
+            { "dragmesh_tools", "dragmesh", "dragmesh_gltf", "cjson", "m" })
+            targetname(row[3])
+            pin("stat", pinned.stat)
+            pin("start", pinned.start)
+    end
 end
 
 if not cross then
@@ -402,7 +413,7 @@ program("caller", { "tests/abi/caller.c" }, { api, "samples/common" }, { "dragme
 
 -- Tests: one program a file ------------------------------------------------------------------------------------------
 
-local everything = table.join({ api, "sdk", generator, "tests/include" }, tools)
+local everything = table.join({ api, "sdk", generator, "tests/include", "tools/evaluate" }, tools)
 -- Debian has cmocka for this machine alone; elsewhere a header of the same calls serves.
 if cross then table.insert(everything, "tests/cross") end
 local cmocka = cross and {} or { "cmocka" }
@@ -467,7 +478,7 @@ library("fuzz_driver", { "tests/fuzz/driver.c" }, { api, "sdk" })
 
 for _, source in ipairs(os.matchfiles("tests/fuzz/fuzz_*.c")) do
     local name, sources = source:match("([%w_]+)%.c$"), { source }
-    if name == "fuzz_jobs" then sources = { source, "tools/*/*.c", "samples/common/*.c" } end
+    if name == "fuzz_jobs" then sources = { source, "tools/common/*.c", "tools/dragmesh/*.c", "samples/common/*.c" } end
     program(name, sources, everything, { "fuzz_driver", "dragmesh_gltf", "dragmesh_core", "dl", "m" }, "/fuzz")
         if name == "fuzz_jobs" then defines { "main=dragmesh_main" } end
         filter "configurations:fuzz"

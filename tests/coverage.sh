@@ -8,7 +8,7 @@ least=92
 export CFLAGS=--coverage CXXFLAGS=--coverage LDFLAGS=--coverage CMOCKA_MESSAGE_OUTPUT=stdout
 mapfile -t tests < <(find tests/{unit,golden,abi} tests/e2e/test_cli*.c -name 'test_*.c' -printf '%f\n' | sed 's/\.c$//' | sort)
 echo "coverage: ${#tests[@]} test programs"
-scripts/build debug dragmesh_cli dragmesh_generate dragmesh_lab caller "${tests[@]}"
+scripts/build debug dragmesh_cli dragmesh_evaluate dragmesh_generate dragmesh_lab caller "${tests[@]}"
 find build/obj -path '*/debug/*.gcda' -delete
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -15,7 +15,8 @@ failed=0
 joints_apart=0     # most that an inferred joint may be off, relative; 0: the same bits
 scene_apart=0      # the same of the fixed scene's answers, where a network runs (tests/e2e/determinism.sh)
 tool_tests=()      # of tests/e2e, run here against the tool there
-has_gltf=1         # and so the tool
+has_gltf=1         # and so the tools
+laboratory=dragmesh-evaluate # the program that plays drags: qemu does not run what another program becomes
 prepared=kitchen_cabinet:7 # kind and seed of the objects whose joints are found on both
 
 complain() {
@@ -28,7 +29,7 @@ windows)
     # A prefix of its own, without the parts of wine that no program of ours asks for.
     export LC_ALL=C.UTF-8 WINEPREFIX=$built/wine WINEDEBUG=-all WINEDLLOVERRIDES="mscoree,mshtml,winemenubuilder.exe=" WINEPATH=$built
     runner=wine suffix=.exe compiler=x86_64-w64-mingw32-gcc tool_tests=(test_cli_bad_input test_cli_infer test_cli_outputs)
-    prepared="kitchen_cabinet:7 oven:3 toilet:5"
+    prepared="kitchen_cabinet:7 oven:3 toilet:5" laboratory=dragmesh
     mkdir -p "$WINEPREFIX"
     # One server for all programs. One that ends with each program meets the next one while it ends, and closes that
     # one's connection: seldom, a program then ends at once, without a word and with status 0.
@@ -45,7 +46,7 @@ linux-arm32) runner="qemu-arm -L /usr/arm-linux-gnueabihf" suffix='' compiler=ar
 esac
 mapfile -t tests < <(grep -v '^#' "tests/cross/$target.txt")
 samples="hello_drag dynamic_load host_memory_and_jobs host_pick" libraries="dragmesh caller"
-[ "$has_gltf" = 0 ] || samples="$samples prepare_offline many_objects" libraries="$libraries dragmesh_gltf dragmesh_cli"
+[ "$has_gltf" = 0 ] || samples="$samples prepare_offline many_objects" libraries="$libraries dragmesh_gltf dragmesh_cli dragmesh_evaluate"
 scripts/build "$target" $libraries "${tests[@]}" $(printf 'sample_%s ' $samples)
 
 # ---- unit tests ----
@@ -84,7 +85,7 @@ for object in $prepared; do
 done
 if [ "$has_gltf" = 1 ]; then
     build/release/dragmesh dragbot "$objects" --given-joint --poses "$work/here.jsonl" > /dev/null
-    there dragbot "$objects" --given-joint --poses "$work/there.jsonl" > /dev/null
+    $runner "$built/$laboratory$suffix" dragbot "$objects" --given-joint --poses "$work/there.jsonl" > /dev/null
     cmp "$work/here.jsonl" "$work/there.jsonl" || complain "drags differ"
     echo "$target: $(wc -l < "$work/there.jsonl") states of drags"
 fi
@@ -123,7 +124,7 @@ done
 # ---- what leaves the binaries, and what they ask for ----
 
 if [ "$target" = windows ]; then
-    for name in dragmesh.dll dragmesh_gltf.dll dragmesh.exe; do
+    for name in dragmesh.dll dragmesh_gltf.dll dragmesh.exe dragmesh-evaluate.exe; do
         x86_64-w64-mingw32-objdump -p "build/windows/$name" > "$work/headers"
         asked=$(sed -n 's/^\tDLL Name: //p' "$work/headers" | grep -vixE 'kernel32.dll|msvcrt.dll|shell32.dll|dragmesh(_gltf)?.dll' || true)
         [ -z "$asked" ] || complain "$name asks for $asked"

@@ -10,7 +10,7 @@ gcc -std=c17 -O2 -fPIC -Isdk -c tests/isa/cpu_scalar.c -o "$out/cpu_scalar.o"
 gcc -shared -o "$out/libdragmesh.so.0" build/obj/dragmesh/release/interface.o "$out/cpu_scalar.o" \
     build/release/lib/libdragmesh_core.a -Wl,--wrap=dmi_cpu_best_isa -Wl,--version-script=plugin_api/dragmesh.map \
     -ldl -lm
-cp build/release/dragmesh build/release/libdragmesh_gltf.so.0 "$out"
+cp build/release/dragmesh{,-evaluate} build/release/libdragmesh_gltf.so.0 "$out"
 score() { # PROGRAM: without the time taken
     "$1" eval "$directory" --models sdk/models | sed -E '/^answered/s/ in [0-9.]+ s$//'
 }

@@ -1,4 +1,4 @@
-/* Memory and the clock of the tool. */
+/* Memory and the clock of the tools. */
 #include "cli.h"
 
 #include <stdio.h>

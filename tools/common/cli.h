@@ -1,23 +1,13 @@
-/* Declarations shared by the subcommands of the dragmesh tool. */
+/* Exit statuses, memory and the clock of the tools. */
 #ifndef CLI_H
 #define CLI_H
 
 #include <stddef.h>
 
-/* Exit statuses: the contract of the tool. */
+/* Exit statuses: the contract of the tools. */
 enum { CLI_OK = 0, CLI_FAILED = 1, CLI_USAGE = 2 };
 /* Of a command that has printed its help, in place of an exit status; the tool exits with CLI_OK then. */
 enum { CLI_HELPED = -1 };
-
-typedef struct cli_command {
-    const char* name;
-    int (*run)(int argc, char** argv); /* argv[0] is the subcommand's name */
-    const char* usage;
-    const char* summary;
-} cli_command;
-
-extern const cli_command cli_infer, cli_animate, cli_film, cli_nodes, cli_pick, cli_prepare, cli_show, cli_eval,
-    cli_bench, cli_demo, cli_dragbot, cli_rig;
 
 /* Memory of a tool: ends the program with a message when there is none. free() releases it. */
 void* cli_alloc(size_t size);

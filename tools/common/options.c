@@ -10,7 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "help.h"
 #include "output_file.h"
 
 int options_refuse(const cli_command* command, const char* format, ...) {
@@ -148,7 +147,7 @@ int options_read(const cli_command* command, int argc, char** argv, const option
     for (int i = 1; i < argc; i++) {
         const option_spec* option = reads_options ? find_option(options, option_count, argv[i]) : NULL;
         if (option == NULL && reads_options && is_help(argv[i])) {
-            help_print(command);
+            command_print_help(command);
             return CLI_HELPED;
         }
         if (option == NULL && reads_options && strcmp(argv[i], "--") == 0) {

@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "cli.h"
+#include "commands.h"
 #include "platform.h"
 
 /* Names from a comma-separated list; the option may come several times. */

@@ -5,6 +5,7 @@
 #include "answer.h"
 #include "job_input.h"
 #include "play.h"
+#include "runs.h"
 #include "session_open.h"
 
 enum { DEFAULT_FRAMES = 60, MAX_FRAMES = 100000 }; /* key frames of the opening; by hand */
@@ -31,7 +32,7 @@ static dm_result animate(session* session, job* job, int frames, const char* out
     return result;
 }
 
-static int run(int argc, char** argv) {
+int animate_run(const cli_command* command, int argc, char** argv) {
     const char *file = NULL, *out_path = NULL;
     int frames = DEFAULT_FRAMES;
     job_options options;
@@ -40,12 +41,12 @@ static int run(int argc, char** argv) {
     table[JOB_OPTIONS] = (option_spec){.name = "-o", .kind = OPTION_TEXT, .value = &out_path};
     table[JOB_OPTIONS + 1] = (option_spec){.name = "--frames", .kind = OPTION_INTEGER, .value = &frames};
     session session;
-    int status = options_read(&cli_animate, argc, argv, table, JOB_OPTIONS + 2, &file);
-    if (status == CLI_OK) status = job_options_finish(&cli_animate, &options, file);
-    if (status == CLI_OK && out_path == NULL) status = options_refuse(&cli_animate, "where to? -o OUT.glb");
-    if (status == CLI_OK) status = options_check_output(&cli_animate, "-o", out_path, ".glb");
+    int status = options_read(command, argc, argv, table, JOB_OPTIONS + 2, &file);
+    if (status == CLI_OK) status = job_options_finish(command, &options, file);
+    if (status == CLI_OK && out_path == NULL) status = options_refuse(command, "where to? -o OUT.glb");
+    if (status == CLI_OK) status = options_check_output(command, "-o", out_path, ".glb");
     if (status == CLI_OK && (frames < 2 || frames > MAX_FRAMES))
-        status = options_refuse(&cli_animate, "--frames: 2 to %d", MAX_FRAMES);
+        status = options_refuse(command, "--frames: 2 to %d", MAX_FRAMES);
     if (status == CLI_OK) status = session_open(&session, options.models, NULL);
     if (status == CLI_OK) {
         if (animate(&session, &options.job, frames, out_path) != DM_OK) {
@@ -57,9 +58,3 @@ static int run(int argc, char** argv) {
     job_free(&options.job);
     return status;
 }
-
-const cli_command cli_animate = {
-    "animate", run,
-    "FILE.glb --moving NODE[,NODE…] [--drag-point X,Y,Z --drag-vector X,Y,Z] [--type TYPE] [--mask FILE]\n"
-    "    -o OUT.glb [--frames N]",
-    "Writes the file with the part opening and closing in a loop, for any glTF viewer."};

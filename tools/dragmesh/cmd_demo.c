@@ -12,6 +12,7 @@
 #include "output_file.h"
 #include "play.h"
 #include "render.h"
+#include "runs.h"
 #include "session_open.h"
 #include "shown.h"
 
@@ -234,7 +235,7 @@ static int demonstrate_folder(const known_object* object, int pixels, const char
     return result == DM_OK ? CLI_OK : CLI_FAILED;
 }
 
-static int run(int argc, char** argv) {
+int demo_run(const cli_command* command, int argc, char** argv) {
     const char *folder = NULL, *prefix = NULL, *models = NULL;
     int pixels = PANEL_PIXELS;
     const option_spec table[] = {{.name = "-o", .kind = OPTION_TEXT, .value = &prefix},
@@ -242,22 +243,17 @@ static int run(int argc, char** argv) {
                                  {.name = "--models", .kind = OPTION_TEXT, .value = &models}};
     known_object object;
     char error[512];
-    int status = options_read(&cli_demo, argc, argv, table, sizeof table / sizeof *table, &folder);
+    int status = options_read(command, argc, argv, table, sizeof table / sizeof *table, &folder);
     if (status == CLI_OK && (folder == NULL || prefix == NULL))
-        status = options_refuse(&cli_demo, "a folder and -o are needed");
+        status = options_refuse(command, "a folder and -o are needed");
     if (status == CLI_OK && (pixels < LEAST_PIXELS || pixels > MOST_PIXELS))
-        status = options_refuse(&cli_demo, "--size: %d to %d", LEAST_PIXELS, MOST_PIXELS);
+        status = options_refuse(command, "--size: %d to %d", LEAST_PIXELS, MOST_PIXELS);
     if (status != CLI_OK) return status;
-    if (dataset_read(folder, ".", &object, error, sizeof error) != 0) return options_refuse(&cli_demo, "%s", error);
+    if (dataset_read(folder, ".", &object, error, sizeof error) != 0) return options_refuse(command, "%s", error);
     if (object.joints[0].drag_count > 0)
         status = demonstrate_folder(&object, pixels, prefix, models);
     else
-        status = options_refuse(&cli_demo, "the first joint of '%s' has no drag", folder);
+        status = options_refuse(command, "the first joint of '%s' has no drag", folder);
     dataset_free(&object);
     return status;
 }
-
-const cli_command cli_demo = {
-    "demo", run, "DIR -o PREFIX [--size PIXELS]",
-    "Picks a part of a generated object (DIR/object.glb, DIR/joints.json) through a pixel, drags it "
-    "across the screen,\n    and writes PREFIX.png and PREFIX.glb."};

@@ -6,6 +6,7 @@
 #include "job_input.h"
 #include "play.h"
 #include "render.h"
+#include "runs.h"
 #include "session_open.h"
 
 enum { DEFAULT_FRAMES = 5, MAX_FRAMES = 64 }; /* pictures of a strip; by hand */
@@ -47,20 +48,20 @@ static dm_result film(session* session, job* job, const film_options* options) {
     return result;
 }
 
-static int check(const film_options* options) {
-    if (options->out_path == NULL) return options_refuse(&cli_film, "where to? -o OUT.png");
-    if (options_check_output(&cli_film, "-o", options->out_path, ".png") != CLI_OK) return CLI_USAGE;
+static int check(const cli_command* command, const film_options* options) {
+    if (options->out_path == NULL) return options_refuse(command, "where to? -o OUT.png");
+    if (options_check_output(command, "-o", options->out_path, ".png") != CLI_OK) return CLI_USAGE;
     if (options->frames < 2 || options->frames > MAX_FRAMES)
-        return options_refuse(&cli_film, "--frames: 2 to %d", MAX_FRAMES);
+        return options_refuse(command, "--frames: 2 to %d", MAX_FRAMES);
     for (int i = 0; i < 2; i++)
         if (!(options->size[i] >= MIN_PIXELS && options->size[i] * (float)options->frames <= MAX_PIXELS))
-            return options_refuse(&cli_film, "--size: %d or more, %d for all frames together", MIN_PIXELS, MAX_PIXELS);
+            return options_refuse(command, "--size: %d or more, %d for all frames together", MIN_PIXELS, MAX_PIXELS);
     if (options->up[0] < 'x' || options->up[0] > 'z' || options->up[1])
-        return options_refuse(&cli_film, "--up: x, y or z");
+        return options_refuse(command, "--up: x, y or z");
     return CLI_OK;
 }
 
-static int run(int argc, char** argv) {
+int film_run(const cli_command* command, int argc, char** argv) {
     const char* file = NULL;
     film_options film_of = {.frames = DEFAULT_FRAMES, .size = {400, 400}, .up = "y"};
     job_options options;
@@ -73,9 +74,9 @@ static int run(int argc, char** argv) {
     own[3] = (option_spec){.name = "--up", .kind = OPTION_TEXT, .value = &film_of.up};
     own[4] = (option_spec){.name = "--axis", .kind = OPTION_FLAG, .value = &film_of.axis};
     session session;
-    int status = options_read(&cli_film, argc, argv, table, JOB_OPTIONS + 5, &file);
-    if (status == CLI_OK) status = job_options_finish(&cli_film, &options, file);
-    if (status == CLI_OK) status = check(&film_of);
+    int status = options_read(command, argc, argv, table, JOB_OPTIONS + 5, &file);
+    if (status == CLI_OK) status = job_options_finish(command, &options, file);
+    if (status == CLI_OK) status = check(command, &film_of);
     if (status == CLI_OK) status = session_open(&session, options.models, NULL);
     if (status == CLI_OK) {
         if (film(&session, &options.job, &film_of) != DM_OK) {
@@ -87,9 +88,3 @@ static int run(int argc, char** argv) {
     job_free(&options.job);
     return status;
 }
-
-const cli_command cli_film = {
-    "film", run,
-    "FILE.glb --moving NODE[,NODE…] [--drag-point X,Y,Z --drag-vector X,Y,Z] [--type TYPE] [--mask FILE]\n"
-    "    -o OUT.png [--frames N] [--size W,H] [--up x|y|z] [--axis]",
-    "Draws the part opening, one picture beside the other; --axis shows the joint found."};

@@ -10,6 +10,7 @@
 #include "json.h"
 #include "part_at_point.h"
 #include "platform.h"
+#include "runs.h"
 #include "session_open.h"
 
 static cJSON* result_for(const cJSON* id) {
@@ -106,7 +107,7 @@ static int answer_one(session* session, job* job, int as_json) {
     return code == DM_OK ? CLI_OK : CLI_FAILED;
 }
 
-static int run(int argc, char** argv) {
+int infer_run(const cli_command* command, int argc, char** argv) {
     const char *file = NULL, *jobs = NULL, *mask_out = NULL;
     int as_json = 0;
     job_options options;
@@ -116,12 +117,11 @@ static int run(int argc, char** argv) {
     table[JOB_OPTIONS + 1] = (option_spec){.name = "--json", .kind = OPTION_FLAG, .value = &as_json};
     table[JOB_OPTIONS + 2] = (option_spec){.name = "--mask-out", .kind = OPTION_TEXT, .value = &mask_out};
     session session;
-    int status = options_read(&cli_infer, argc, argv, table, JOB_OPTIONS + 3, &file);
-    if (status == CLI_OK && jobs == NULL) status = job_options_finish(&cli_infer, &options, file);
+    int status = options_read(command, argc, argv, table, JOB_OPTIONS + 3, &file);
+    if (status == CLI_OK && jobs == NULL) status = job_options_finish(command, &options, file);
     if (status == CLI_OK && jobs != NULL && (file != NULL || mask_out != NULL || options.job.moving.count > 0))
-        status = options_refuse(&cli_infer, "--jobs stands alone");
-    if (status == CLI_OK && mask_out != NULL)
-        status = options_check_output(&cli_infer, "--mask-out", mask_out, ".json");
+        status = options_refuse(command, "--jobs stands alone");
+    if (status == CLI_OK && mask_out != NULL) status = options_check_output(command, "--mask-out", mask_out, ".json");
     if (status == CLI_OK) status = session_open(&session, options.models, NULL);
     if (status == CLI_OK) {
         status = jobs != NULL ? answer_jobs(&session, jobs, options.job.no_hints)
@@ -132,13 +132,3 @@ static int run(int argc, char** argv) {
     job_free(&options.job);
     return status;
 }
-
-const cli_command cli_infer = {
-    "infer", run,
-    "FILE.glb --moving NODE[,NODE…]|auto [--drag-point X,Y,Z --drag-vector X,Y,Z] [--type TYPE] [--mask FILE]\n"
-    "    [--mask-out OUT.json] [--choose N] [--no-hints] [--json]\n"
-    "dragmesh infer --jobs JOBS.jsonl [--no-hints]",
-    "How the part moves: type, axis, origin, limits. --jobs ('-': standard input) answers one JSON line a line.\n"
-    "    --moving auto finds the part that the drag point is on; --mask-out writes it, one 0 or 1 a triangle.\n"
-    "    --choose N puts hypothesis N, from 0, in the place of the best one.\n"
-    "    --no-hints: the file's names and pivots do not count."};

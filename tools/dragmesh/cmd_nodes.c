@@ -5,6 +5,7 @@
 #include "json.h"
 #include "nodes.h"
 #include "options.h"
+#include "runs.h"
 #include "session_open.h"
 #include "shown.h"
 
@@ -81,13 +82,13 @@ static void print_json(const session* session, uint32_t largest) {
     printf("]}\n");
 }
 
-static int run(int argc, char** argv) {
+int nodes_run(const cli_command* command, int argc, char** argv) {
     const char* file = NULL;
     int as_json = 0;
     const option_spec table[] = {{.name = "--json", .kind = OPTION_FLAG, .value = &as_json}};
     session session;
-    int status = options_read(&cli_nodes, argc, argv, table, 1, &file);
-    if (status == CLI_OK && file == NULL) status = options_refuse(&cli_nodes, "which file?");
+    int status = options_read(command, argc, argv, table, 1, &file);
+    if (status == CLI_OK && file == NULL) status = options_refuse(command, "which file?");
     if (status == CLI_OK) status = session_open(&session, "none", NULL);
     if (status != CLI_OK) return status;
     if (session_use_file(&session, file) == DM_OK) {
@@ -99,7 +100,3 @@ static int run(int argc, char** argv) {
     session_close(&session);
     return status;
 }
-
-const cli_command cli_nodes = {
-    "nodes", run, "FILE.glb [--json]",
-    "What a file has that may move: nodes with meshes, their triangles and sizes, and the names that count."};

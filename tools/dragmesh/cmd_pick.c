@@ -5,6 +5,7 @@
 #include "json.h"
 #include "nodes.h"
 #include "options.h"
+#include "runs.h"
 #include "session_open.h"
 
 /* A scene wants an object with a part. Picking asks for none, so the first triangle is entered once more, as a part
@@ -70,7 +71,7 @@ static void print_hit(const session* session, const dm_hit* hit, int as_json) {
     json_print_line(out);
 }
 
-static int run(int argc, char** argv) {
+int pick_run(const cli_command* command, int argc, char** argv) {
     const char* file = NULL;
     int as_json = 0, has_ray = 0;
     double numbers[6];
@@ -78,9 +79,9 @@ static int run(int argc, char** argv) {
         {.name = "--ray", .kind = OPTION_DOUBLES, .value = numbers, .count = 6, .given = &has_ray},
         {.name = "--json", .kind = OPTION_FLAG, .value = &as_json}};
     session session;
-    int status = options_read(&cli_pick, argc, argv, table, 2, &file);
+    int status = options_read(command, argc, argv, table, 2, &file);
     if (status == CLI_OK && (file == NULL || !has_ray))
-        status = options_refuse(&cli_pick, "a file and a --ray are needed");
+        status = options_refuse(command, "a file and a --ray are needed");
     if (status == CLI_OK) status = session_open(&session, "none", NULL);
     if (status != CLI_OK) return status;
     dm_hit hit = {.struct_size = sizeof hit};
@@ -94,6 +95,3 @@ static int run(int argc, char** argv) {
     session_close(&session);
     return result == DM_OK ? CLI_OK : CLI_FAILED;
 }
-
-const cli_command cli_pick = {"pick", run, "FILE.glb --ray OX,OY,OZ,DX,DY,DZ [--json]",
-                              "What a ray meets first: node, triangle, point."};

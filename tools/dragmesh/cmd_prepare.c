@@ -9,6 +9,7 @@
 #include "job.h"
 #include "json.h"
 #include "rig_output.h"
+#include "runs.h"
 #include "session_open.h"
 
 /* How the parts are told. */
@@ -140,7 +141,7 @@ static int prepare(session* session, const char* file, const char* out_path, con
     return result == DM_OK ? CLI_OK : CLI_FAILED;
 }
 
-static int run(int argc, char** argv) {
+int prepare_run(const cli_command* command, int argc, char** argv) {
     const char *file = NULL, *out_path = NULL, *models = NULL;
     int as_json = 0, no_hints = 0;
     request request = {.min_moves = RIG_USUAL_MOVES};
@@ -151,13 +152,13 @@ static int run(int argc, char** argv) {
                                  {.name = "--no-hints", .kind = OPTION_FLAG, .value = &no_hints},
                                  {.name = "--json", .kind = OPTION_FLAG, .value = &as_json}};
     session session;
-    int status = options_read(&cli_prepare, argc, argv, table, sizeof table / sizeof *table, &file);
+    int status = options_read(command, argc, argv, table, sizeof table / sizeof *table, &file);
     request.no_hints = no_hints;
     if (status == CLI_OK && (file == NULL || out_path == NULL))
-        status = options_refuse(&cli_prepare, "a file and -o are needed");
+        status = options_refuse(command, "a file and -o are needed");
     if (status == CLI_OK && !(request.min_moves >= 0 && request.min_moves <= 1))
-        status = options_refuse(&cli_prepare, "--min-moves: 0 to 1");
-    if (status == CLI_OK) status = options_check_output(&cli_prepare, "-o", out_path, ".dmo");
+        status = options_refuse(command, "--min-moves: 0 to 1");
+    if (status == CLI_OK) status = options_check_output(command, "-o", out_path, ".dmo");
     if (status == CLI_OK) status = session_open(&session, models, NULL);
     if (status == CLI_OK) {
         status = prepare(&session, file, out_path, &request, as_json);
@@ -166,9 +167,3 @@ static int run(int argc, char** argv) {
     name_list_free(&request.moving);
     return status;
 }
-
-const cli_command cli_prepare = {
-    "prepare", run, "FILE.glb -o OUT.dmo [--moving NODE[,NODE…]] [--min-moves P] [--no-hints] [--json]",
-    "Finds the joints and writes them for a game to load. Without --moving the whole asset is asked which nodes move,\n"
-    "    and which of them as one; --min-moves: probability from which on a part does. --json says whose nodes are "
-    "whose."};

@@ -5,18 +5,19 @@
 
 #include "json.h"
 #include "rig_output.h"
+#include "runs.h"
 #include "session_open.h"
 
 enum { MOST_WORKERS = 256 }; /* by hand */
 
 static const char* const switches[] = {"on", "off", NULL};
 
-static int check(const rig_output* output, const rig_options* options, const char* file, const char* names,
-                 const char* up) {
-    if (file == NULL || output->path == NULL) return options_refuse(&cli_rig, "a file or a folder, and -o, are needed");
-    if (!(options->min_moves >= 0 && options->min_moves <= 1)) return options_refuse(&cli_rig, "--min-moves: 0 to 1");
-    if (strcmp(names, "on") != 0 && strcmp(names, "off") != 0) return options_refuse(&cli_rig, "--names: on or off");
-    if (up[0] < 'x' || up[0] > 'z' || up[1]) return options_refuse(&cli_rig, "--up: x, y or z");
+static int check(const cli_command* command, const rig_output* output, const rig_options* options, const char* file,
+                 const char* names, const char* up) {
+    if (file == NULL || output->path == NULL) return options_refuse(command, "a file or a folder, and -o, are needed");
+    if (!(options->min_moves >= 0 && options->min_moves <= 1)) return options_refuse(command, "--min-moves: 0 to 1");
+    if (strcmp(names, "on") != 0 && strcmp(names, "off") != 0) return options_refuse(command, "--names: on or off");
+    if (up[0] < 'x' || up[0] > 'z' || up[1]) return options_refuse(command, "--up: x, y or z");
     return CLI_OK;
 }
 
@@ -39,7 +40,7 @@ static int rig_file(const char* file, const char* models, const rig_output* outp
     return status;
 }
 
-static int run(int argc, char** argv) {
+int rig_run(const cli_command* command, int argc, char** argv) {
     const char *file = NULL, *models = NULL, *names = "on", *formats = "glb", *up = "y";
     int no_clips = 0, as_json = 0, is_worker = 0, workers = 1;
     char unknown[RIG_FORMATS_TEXT];
@@ -57,7 +58,7 @@ static int run(int argc, char** argv) {
                                  {.name = "--json", .kind = OPTION_FLAG, .value = &as_json},
                                  {.name = "--models", .kind = OPTION_TEXT, .value = &models},
                                  {.name = "--worker", .kind = OPTION_FLAG, .value = &is_worker}};
-    int status = options_read(&cli_rig, argc, argv, table, sizeof table / sizeof *table, &file);
+    int status = options_read(command, argc, argv, table, sizeof table / sizeof *table, &file);
     if (status != CLI_OK) return status;
     options.without_names = strcmp(names, "off") == 0;
     options.without_clips = no_clips;
@@ -65,28 +66,13 @@ static int run(int argc, char** argv) {
     options.formats = rig_read_formats(formats, unknown, sizeof unknown);
     output.as_json = as_json;
     output.is_worker = is_worker;
-    status = check(&output, &options, file, names, up);
+    status = check(command, &output, &options, file, names, up);
     if (status == CLI_OK && options.formats == 0)
-        status = options_refuse(&cli_rig, "--formats: '%s' is none of glb, urdf, mjcf, sdf, usda, tscn", unknown);
+        status = options_refuse(command, "--formats: '%s' is none of glb, urdf, mjcf, sdf, usda, tscn", unknown);
     if (status == CLI_OK && (workers < 1 || workers > MOST_WORKERS))
-        status = options_refuse(&cli_rig, "-j: 1 to %d", MOST_WORKERS);
+        status = options_refuse(command, "-j: 1 to %d", MOST_WORKERS);
     if (status != CLI_OK) return status;
     if (platform_kind_of(file) != PLATFORM_FOLDER) return rig_file(file, models, &output, &options);
-    if (rig_output_is_answer(output.path)) return options_refuse(&cli_rig, "-o: the assets of a folder need a folder");
+    if (rig_output_is_answer(output.path)) return options_refuse(command, "-o: the assets of a folder need a folder");
     return rig_folder(file, models, &output, &options, workers);
 }
-
-const cli_command cli_rig = {
-    "rig", run,
-    "FILE.glb|FOLDER -o OUT [--formats LIST] [--names on|off] [--no-clips] [--min-moves P] [--up x|y|z] [-j N]\n"
-    "        [--json]",
-    "Rigs whole assets: which nodes move, how, and what carries what. OUT.json gets the answer alone; a folder OUT "
-    "gets\n"
-    "    rig.json, rigged.glb, which opens and closes, with joints in `extras`, and film.png. Of a FOLDER, each .glb\n"
-    "    and .gltf in it, and object.glb of each folder in it, gets a folder of its own in OUT; -j works on N at a "
-    "time,\n"
-    "    and what is done already is left as it is.\n"
-    "    --formats: what a folder gets: a list of glb (rigged.glb; alone, if nothing is said), urdf, mjcf, sdf,\n"
-    "    usda and tscn.\n"
-    "    --names off, --no-clips: names, or clips, say nothing. --min-moves: probability from which on a part moves.\n"
-    "    --up: which way is up in the files; glTF's is y."};

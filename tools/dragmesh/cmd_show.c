@@ -5,6 +5,7 @@
 #include "answer.h"
 #include "files.h"
 #include "json.h"
+#include "runs.h"
 #include "session_open.h"
 #include "shown.h"
 
@@ -112,13 +113,13 @@ static dm_result show(session* session, const char* path, int as_json) {
     return result;
 }
 
-static int run(int argc, char** argv) {
+int show_run(const cli_command* command, int argc, char** argv) {
     const char* file = NULL;
     int as_json = 0;
     const option_spec table[] = {{.name = "--json", .kind = OPTION_FLAG, .value = &as_json}};
     session session;
-    int status = options_read(&cli_show, argc, argv, table, 1, &file);
-    if (status == CLI_OK && file == NULL) status = options_refuse(&cli_show, "which file?");
+    int status = options_read(command, argc, argv, table, 1, &file);
+    if (status == CLI_OK && file == NULL) status = options_refuse(command, "which file?");
     if (status == CLI_OK) status = session_open(&session, "none", NULL);
     if (status != CLI_OK) return status;
     if (show(&session, file, as_json) != DM_OK) {
@@ -128,6 +129,3 @@ static int run(int argc, char** argv) {
     session_close(&session);
     return status;
 }
-
-const cli_command cli_show = {"show", run, "FILE.dmo [--json]",
-                              "What a prepared object holds: its parts, their joints, and what else they may be."};

@@ -9,6 +9,7 @@
 #include "json.h"
 #include "options.h"
 #include "platform.h"
+#include "runs.h"
 #include "session.h"
 #include "session_open.h"
 #include "timing.h"
@@ -432,14 +433,14 @@ static int run_cabinet(bench* b, int as_json) {
     return result == DM_OK ? CLI_OK : CLI_FAILED;
 }
 
-static int run(int argc, char** argv) {
+int bench_run(const cli_command* command, int argc, char** argv) {
     const char *models = NULL, *folder = NULL;
     int as_json = 0;
     const option_spec table[] = {{.name = "--models", .kind = OPTION_TEXT, .value = &models},
                                  {.name = "--json", .kind = OPTION_FLAG, .value = &as_json}};
     bench* b = cli_alloc_zeroed(sizeof *b);
     const dm_allocator allocator = {&b->counter, count_allocate, count_release};
-    int status = options_read(&cli_bench, argc, argv, table, 2, &folder);
+    int status = options_read(command, argc, argv, table, 2, &folder);
     if (status == CLI_OK) status = session_open(&b->session, models, &allocator);
     if (status == CLI_OK) {
         status = folder != NULL ? bench_objects(&b->session, folder, as_json) : run_cabinet(b, as_json);
@@ -448,7 +449,3 @@ static int run(int argc, char** argv) {
     free(b);
     return status;
 }
-
-const cli_command cli_bench = {
-    "bench", run, "[DIR] [--json]",
-    "What the library's calls cost on this machine; with DIR, what preparing its objects does."};

@@ -7,6 +7,7 @@
 
 #include "evaluate.h"
 #include "json.h"
+#include "runs.h"
 #include "session_open.h"
 
 /* One reported figure: name, metric, joints, and which statistic is reported. */
@@ -249,19 +250,19 @@ static int read_method(const char* name) {
     return -1;
 }
 
-static int check(const char* folder, const char* baseline, const eval_options* options) {
-    if (folder == NULL) return options_refuse(&cli_eval, "which folder?");
-    if (options->pull == PULL_KINDS) return options_refuse(&cli_eval, "--pull: exact, chord or axis");
-    if (read_method(baseline) < 0) return options_refuse(&cli_eval, "--baseline: full, kpp, geometry or rules");
-    if (options->lies < 0 || options->lies > 1) return options_refuse(&cli_eval, "--lies: 0 to 1");
+static int check(const cli_command* command, const char* folder, const char* baseline, const eval_options* options) {
+    if (folder == NULL) return options_refuse(command, "which folder?");
+    if (options->pull == PULL_KINDS) return options_refuse(command, "--pull: exact, chord or axis");
+    if (read_method(baseline) < 0) return options_refuse(command, "--baseline: full, kpp, geometry or rules");
+    if (options->lies < 0 || options->lies > 1) return options_refuse(command, "--lies: 0 to 1");
     if (options->drags < 1 || options->drag_noise < 0 || options->mask_noise < 0 || options->mask_noise >= 1)
-        return options_refuse(&cli_eval, "--drags from 1, --drag-noise from 0, --mask-noise in [0, 1)");
+        return options_refuse(command, "--drags from 1, --drag-noise from 0, --mask-noise in [0, 1)");
     if (options->alone && options->mask_noise > 0)
-        return options_refuse(&cli_eval, "--alone: the mask is the whole mesh, and takes no --mask-noise");
+        return options_refuse(command, "--alone: the mask is the whole mesh, and takes no --mask-noise");
     return CLI_OK;
 }
 
-static int run(int argc, char** argv) {
+int eval_run(const cli_command* command, int argc, char** argv) {
     const char *folder = NULL, *models = NULL, *baseline = "full", *pictures = NULL, *moving = NULL, *pull = "exact",
                *hints = "";
     static const char* const hint_choices[] = {"names", "pivots", "both", NULL};
@@ -288,12 +289,12 @@ static int run(int argc, char** argv) {
         {.name = "--baseline", .kind = OPTION_TEXT, .value = &baseline},
         {.name = "--mistakes", .kind = OPTION_TEXT, .value = &pictures}};
     session session;
-    int status = options_read(&cli_eval, argc, argv, table, sizeof table / sizeof *table, &folder);
+    int status = options_read(command, argc, argv, table, sizeof table / sizeof *table, &folder);
     options.pull = pull_kind_of(pull);
     options.hints = no_hints ? 0 : eval_hints_of(hints);
     options.find_part = moving != NULL && strcmp(moving, "auto") == 0;
-    if (status == CLI_OK && moving != NULL && !options.find_part) status = options_refuse(&cli_eval, "--moving: auto");
-    if (status == CLI_OK) status = check(folder, baseline, &options);
+    if (status == CLI_OK && moving != NULL && !options.find_part) status = options_refuse(command, "--moving: auto");
+    if (status == CLI_OK) status = check(command, folder, baseline, &options);
     if (status == CLI_OK) status = session_open_method(&session, models, (enum session_method)read_method(baseline));
     if (status != CLI_OK) return status;
     if (pictures != NULL && error_report_open(&report, pictures) == 0) options.error_report = &report;
@@ -303,24 +304,3 @@ static int run(int argc, char** argv) {
     session_close(&session);
     return status;
 }
-
-const cli_command cli_eval = {
-    "eval", run,
-    "DIR [--json] [--no-drag] [--pull exact|chord|axis] [--drag-noise DEGREES] [--turn [SEED]]\n"
-    "    [--hints [names|pivots|both]] [--no-hints] [--lies FRACTION]\n"
-    "    [--mask-noise FRACTION | --alone] [--given-type] [--drags N] [--baseline kpp|geometry|rules|full] [--moving "
-    "auto "
-    "[--merge]]\n"
-    "    [--worst N] [--mistakes OUT_DIR]",
-    "Scores a folder of object.glb + joints.json: every joint, weighted, by source and by category. --pull: the "
-    "stored\n"
-    "    drag; as people pull, at the far end straight to where it is half open; or along the room's nearest axis. "
-    "--hints:\n"
-    "    hands over the names and pivots that the folder has; --lies: that share of them is another joint's. "
-    "--baseline:\n"
-    "    the network alone, no network, or hand-set rules in the ranker's place. --alone: each part without the rest "
-    "of "
-    "its\n"
-    "    object. --mistakes draws every wrong answer. "
-    "--moving auto\n"
-    "    finds the part from the drag's point instead of the true mask, with --merge as if the file were one mesh."};

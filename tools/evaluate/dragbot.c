@@ -9,6 +9,7 @@
 #include "dragbot_score.h"
 #include "eval_hints.h"
 #include "output_file.h"
+#include "runs.h"
 #include "session_open.h"
 
 static int by_time(const void* a, const void* b) {
@@ -113,42 +114,41 @@ static bool read_sight(const char* name, enum bot_sight* out_sight) {
 }
 
 /* Refuses what a naive hand can't be, and what others can't. */
-static int check_naive(const bot_options* options) {
+static int check_naive(const cli_command* command, const bot_options* options) {
     const bot_hand* hand = &options->hand;
-    if (!hand->naive && (hand->snap || hand->up)) return options_refuse(&cli_dragbot, "--snap and --up with --naive");
+    if (!hand->naive && (hand->snap || hand->up)) return options_refuse(command, "--snap and --up with --naive");
     if (!hand->naive) return CLI_OK;
-    if (hand->degrees < 0 || hand->degrees > 180) return options_refuse(&cli_dragbot, "--naive 0 to 180 degrees");
-    if (hand->snap + hand->up + hand->point > 1) return options_refuse(&cli_dragbot, "--snap, --up or --point");
+    if (hand->degrees < 0 || hand->degrees > 180) return options_refuse(command, "--naive 0 to 180 degrees");
+    if (hand->snap + hand->up + hand->point > 1) return options_refuse(command, "--snap, --up or --point");
     if (hand->straight || hand->axis || hand->wander != 0 || hand->tremor != 0 || hand->jostle != 0 ||
         hand->offset != 0 || hand->pause || hand->scalar || hand->moving_camera || hand->moving_instance ||
         options->sight != BOT_AROUND || options->given_only)
-        return options_refuse(&cli_dragbot, "--naive, with --snap, --up, --point, --regrab, --hz or --hitch alone");
+        return options_refuse(command, "--naive, with --snap, --up, --point, --regrab, --hz or --hitch alone");
     return CLI_OK;
 }
 
 /* Refuses numbers out of range, and hands that can't be one hand. */
-static int check(const bot_options* options) {
+static int check(const cli_command* command, const bot_options* options) {
     const bot_hand* hand = &options->hand;
     const int hz = hand->hz;
-    if (check_naive(options) != CLI_OK) return CLI_USAGE;
-    if (options->cameras < 1) return options_refuse(&cli_dragbot, "--cameras from 1");
-    if (hand->straight && hand->axis) return options_refuse(&cli_dragbot, "--straight or --axis");
+    if (check_naive(command, options) != CLI_OK) return CLI_USAGE;
+    if (options->cameras < 1) return options_refuse(command, "--cameras from 1");
+    if (hand->straight && hand->axis) return options_refuse(command, "--straight or --axis");
     if ((hand->point || hand->scalar) &&
         (hand->point == hand->scalar || hand->straight || hand->axis || hand->wander != 0 || hand->tremor != 0 ||
          hand->jostle != 0 || hand->offset != 0 || hand->moving_camera || hand->moving_instance ||
          options->sight == BOT_END_ON)) {
-        return options_refuse(&cli_dragbot, "--point or --scalar, with --pause, --regrab, --hz or --hitch alone");
+        return options_refuse(command, "--point or --scalar, with --pause, --regrab, --hz or --hitch alone");
     }
-    if (hand->jostle < 0 || hand->offset < 0) return options_refuse(&cli_dragbot, "pixels from 0");
+    if (hand->jostle < 0 || hand->offset < 0) return options_refuse(command, "pixels from 0");
     if (hand->regrab < 0 || hand->regrab > BOT_MAX_REGRABS)
-        return options_refuse(&cli_dragbot, "--regrab 0 to %d", BOT_MAX_REGRABS);
-    if (hz != 30 && hz != 60 && hz != 144) return options_refuse(&cli_dragbot, "--hz 30, 60 or 144");
+        return options_refuse(command, "--regrab 0 to %d", BOT_MAX_REGRABS);
+    if (hz != 30 && hz != 60 && hz != 144) return options_refuse(command, "--hz 30, 60 or 144");
     if (hand->moving_camera && hand->moving_instance)
-        return options_refuse(&cli_dragbot, "--moving-camera or --moving-instance");
+        return options_refuse(command, "--moving-camera or --moving-instance");
     if (options->sight == BOT_END_ON && (hand->straight || hand->axis || hand->moving_camera || hand->moving_instance))
-        return options_refuse(&cli_dragbot,
-                              "--view end-on pulls to four sides: no --straight, --axis, --moving-camera, "
-                              "--moving-instance");
+        return options_refuse(command, "--view end-on pulls to four sides: no --straight, --axis, --moving-camera, "
+                                       "--moving-instance");
     return CLI_OK;
 }
 
@@ -186,7 +186,7 @@ static int run_session(const char* folder, const char* models, const char* poses
     return status;
 }
 
-static int run(int argc, char** argv) {
+int dragbot_run(const cli_command* command, int argc, char** argv) {
     const char *folder = NULL, *models = NULL, *view = "around", *poses = NULL;
     int as_json = 0, all = 0;
     const char* hints = "none";
@@ -223,32 +223,19 @@ static int run(int argc, char** argv) {
                                  {.name = "--no-clips", .kind = OPTION_FLAG, .value = &options.no_clips},
                                  {.name = "--cameras", .kind = OPTION_INTEGER, .value = &options.cameras},
                                  {.name = "--given-joint", .kind = OPTION_FLAG, .value = &options.given_only}};
-    int status = options_read(&cli_dragbot, argc, argv, table, sizeof table / sizeof *table, &folder);
+    int status = options_read(command, argc, argv, table, sizeof table / sizeof *table, &folder);
     if (status != CLI_OK) return status;
-    if (folder == NULL) return options_refuse(&cli_dragbot, "which folder?");
-    if (!read_sight(view, &options.sight)) return options_refuse(&cli_dragbot, "--view end-on, above or behind");
-    if (options.rig && (all || hand->regrab)) return options_refuse(&cli_dragbot, "--rig, without --all and --regrab");
+    if (folder == NULL) return options_refuse(command, "which folder?");
+    if (!read_sight(view, &options.sight)) return options_refuse(command, "--view end-on, above or behind");
+    if (options.rig && (all || hand->regrab)) return options_refuse(command, "--rig, without --all and --regrab");
     if (options.rig) hand->naive = 1;
-    if (check(&options) != CLI_OK) return CLI_USAGE;
+    if (check(command, &options) != CLI_OK) return CLI_USAGE;
     options.hints = eval_hints_of(hints);
-    if (hand->naive && poses != NULL) return options_refuse(&cli_dragbot, "--naive writes no poses");
-    if (poses != NULL && options_check_output(&cli_dragbot, "--poses", poses, ".jsonl") != CLI_OK) return CLI_USAGE;
+    if (hand->naive && poses != NULL) return options_refuse(command, "--naive writes no poses");
+    if (poses != NULL && options_check_output(command, "--poses", poses, ".jsonl") != CLI_OK) return CLI_USAGE;
     if (all && (poses != NULL || !is_plain(&options)))
-        return options_refuse(&cli_dragbot, "--all has hands and views of its own, and writes no poses");
+        return options_refuse(command, "--all has hands and views of its own, and writes no poses");
     status = run_session(folder, models, poses, &options, all, as_json);
     name_list_free(&options.only);
     return status;
 }
-
-const cli_command cli_dragbot = {
-    "dragbot", run,
-    "DIR [--straight | --axis] [--wander SHARE] [--tremor PIXELS] [--jostle PIXELS] [--offset PIXELS] "
-    "[--pause] [--regrab N] [--hz 30|60|144] [--hitch] [--moving-camera | --moving-instance] [--point | --scalar] "
-    "[--view end-on|above|behind] [--all] [--cameras N] [--given-joint] [--worst N] [--poses OUT.jsonl] [--json] "
-    "[--naive [DEGREES] [--snap | --up]] [--only WORD,WORD...] [--hints [names|pivots|both]] "
-    "[--rig [--no-clips]]",
-    "A scripted player on a folder of object.glb + joints.json: picks and drags every part, and scores the feel.\n"
-    "    --rig: the first touch of the naive hand on folders of object.glb + asset.json, whole assets with known "
-    "parts,\n"
-    "    by what 'dragmesh rig' answers: whether the right faces follow, the joint is right, and what is static "
-    "stays."};
