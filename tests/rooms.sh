@@ -5,10 +5,11 @@
 #
 # 1. A copy of one file of a room compiles; the same copy with an include of a forbidden header does not.
 # 2. No two rooms can include from each other, and no room from plugin_api/src, samples, training or tests.
-# 3. No file of sdk has "../" in an include, which would go round the include paths.
+# 3. No file of sdk or tools has "../" in an include, which would go round the include paths.
 # 4. Each room includes from the rooms in its row of premake5.lua, and from every one of them.
 # 5. No header includes itself by way of others.
-# 6. No two source files of the library or of a program call each other, and no longer circle of calls leads from a file
+# 6. A tool includes from itself, tools/common, samples/common and the public headers; nothing outside includes from tools.
+# 7. No two source files of the library or of a program call each other, and no longer circle of calls leads from a file
 #    back to it, so that every file is below those that call it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -25,30 +26,32 @@ for room in $rooms; do
     [ -e "build/make/dragmesh_${room//\//_}.make" ] || { echo "rooms: no makefile for $room, run scripts/build" >&2; exit 1; }
 done
 
-# The macros and include paths of a room's release build. Runs in build/make, which the paths are relative to.
+# The macros and include paths of a project's release build. Runs in build/make, which the paths are relative to.
 flags() {
     awk '/ifeq \(\$\(config\),release/ { on = 1 } /^endif/ { on = 0 }
-        on && match($0, /(DEFINES|INCLUDES) *\+= */) { print substr($0, RSTART + RLENGTH) }' "dragmesh_${1//\//_}.make"
+        on && match($0, /(DEFINES|INCLUDES) *\+= */) { print substr($0, RSTART + RLENGTH) }' "$1.make"
 }
+project() { echo "dragmesh_${1//\//_}"; } # ROOM
 
-# check ROOM FILE.c: the compiler's messages; its exit status.
-check() { (cd build/make && ${CC:-gcc} -std=gnu17 -fsyntax-only $(flags "$1") "$2" 2>&1); }
-
-# forbid ROOM/FILE.c HEADER…: each header must not be found from that file.
-forbid() {
-    local file=$1 room=${1%/*} copy=$work/${1##*/} header messages
-    shift
-    cp "sdk/$file" "$copy"
-    messages=$(check "$room" "$copy") || { problem "sdk/$file does not compile alone: $messages"; return; }
+# forbid_in PROJECT FILE.c HEADER…: each header must not be found from that file.
+forbid_in() {
+    local project=$1 file=$2 copy=$work/${2##*/} header messages
+    shift 2
+    compile() { # the compiler's messages; its exit status
+        (cd build/make && ${CC:-gcc} -std=gnu17 -fsyntax-only $(flags "$project") -iquote "$root/${file%/*}" "$copy" 2>&1)
+    }
+    cp "$file" "$copy"
+    messages=$(compile) || { problem "$file does not compile alone: $messages"; return; }
     for header in "$@"; do
-        { echo "#include \"$header\""; cat "sdk/$file"; } > "$copy"
-        if messages=$(check "$room" "$copy"); then
-            problem "sdk/$file compiles with #include \"$header\""
+        { echo "#include \"$header\""; cat "$file"; } > "$copy"
+        if messages=$(compile); then
+            problem "$file compiles with #include \"$header\""
         elif ! grep -q "$header.*\(No such file\|not found\)" <<< "$messages"; then
-            problem "sdk/$file with #include \"$header\" fails for another reason: $messages"
+            problem "$file with #include \"$header\" fails for another reason: $messages"
         fi
     done
 }
+forbid() { forbid_in "$(project "${1%/*}")" "sdk/$1" "${@:2}"; } # ROOM/FILE.c HEADER…
 
 forbid base/arena.c mesh/mesh.h options.h common/options.h generator/generator.h generator.h dragmesh_lab.h
 forbid math/frames.c mesh/mesh.h pick/pick.h
@@ -63,6 +66,9 @@ forbid kinematics/ranking/ranker.c kinematics/limits/limits.h kinematics/inferen
 forbid kinematics/inference/joint_inference.c kinematics/object/object.h motion/drag.h api_handles.h
 forbid kinematics/object/prepare.c motion/drag.h segmentation/part_finder.h
 forbid motion/drag.c kinematics/object/object.h pick/pick.h segmentation/part_finder.h api_handles.h dragmesh_lab.h
+forbid_in dragmesh_tools tools/common/play.c runs.h rig_output.h evaluate.h motion/drag.h api_handles.h
+forbid_in dragmesh_cli tools/dragmesh/answer.c evaluate.h dragbot.h evaluate/evaluate.h mesh/mesh.h api_handles.h
+forbid_in dragmesh_evaluate tools/evaluate/box_object.c rig_output.h job_input.h dragmesh/rig_output.h mesh/mesh.h api_handles.h
 
 # Which headers a room finds: `header LINE` in the compiler's output for each.
 (cd sdk && find . -name '*.h' | sed 's|^\./||' | sort) > "$work/sdk"
@@ -72,7 +78,7 @@ forbid motion/drag.c kinematics/object/object.h pick/pick.h segmentation/part_fi
  cd "$root/tests" && find . -name '*.h' | sed 's|^\./||') | sort -u > "$work/outside"
 cat "$work/sdk" "$work/outside" | sed 's/.*/#if __has_include("&")\n"&"\n#endif/' > "$work/probe.c"
 for room in $rooms; do
-    (cd build/make && ${CC:-gcc} -E -P $(flags "$room") "$work/probe.c") | tr -d '"' | sort -u > "$work/found"
+    (cd build/make && ${CC:-gcc} -E -P $(flags "$(project "$room")") "$work/probe.c") | tr -d '"' | sort -u > "$work/found"
     grep -q "^$room/" "$work/found" || problem "sdk/$room does not find its own headers"
     strangers=$(comm -12 "$work/found" "$work/outside" | comm -23 - "$work/sdk")
     [ -z "$strangers" ] || problem "sdk/$room finds headers from outside sdk:" $strangers
@@ -84,7 +90,7 @@ while read -r room other; do
     [[ $room > $other ]] || ! grep -qx "$other $room" "$work/edges" || problem "sdk/$room and sdk/$other find each other"
 done < "$work/edges"
 
-upwards=$(grep -rnE '^ *# *include *["<]([^">]*/)?\.\./' sdk --include='*.[ch]' --include='*.cpp' --include='*.def' || true)
+upwards=$(grep -rnE '^ *# *include *["<]([^">]*/)?\.\./' sdk tools --include='*.[ch]' --include='*.cpp' --include='*.def' || true)
 [ -z "$upwards" ] || problem "an include has ../: $upwards"
 
 # The rooms in each row against those that the files include.
@@ -107,7 +113,7 @@ refuse_circles() {
 }
 
 # A quoted header lies beside the file that includes it, or below one of these folders.
-folders="sdk samples/common tools/common plugin_api/include"
+folders="sdk samples/common tools/common plugin_api/include tools/dragmesh tools/evaluate"
 names sdk plugin_api samples tools bindings > "$work/files"
 includes sdk plugin_api samples tools bindings | awk -v folders="$folders" '
     NR == FNR { exists[$1]; next }
@@ -122,6 +128,15 @@ includes sdk plugin_api samples tools bindings | awk -v folders="$folders" '
         }
     }' "$work/files" - > "$work/uses"
 refuse_circles "includes" < "$work/uses"
+
+# The tools: what a file of each may include from, beside the public headers and what samples share.
+while read -r file header; do
+    case $file:$header in
+    tools/*:plugin_api/include/* | tools/*:samples/common/* | tools/*:tools/common/*) continue ;;
+    tools/dragmesh/*:tools/dragmesh/* | tools/evaluate/*:tools/evaluate/*) continue ;;
+    tools/*:* | *:tools/*) problem "$file includes $header" ;;
+    esac
+done < "$work/uses"
 
 # The pairs of objects of which the first one calls the second, or reads what it has.
 calls() {
@@ -142,7 +157,11 @@ for folder in $(objects "${library[@]}"); do
 done
 calls $(objects "${library[@]}") > "$work/calls"
 refuse_circles "calls in the library" < "$work/calls"
-for folder in build/obj/{dragmesh_cli,dragmesh_viewer,dragmesh_lab,dragmesh_generate,dragmesh_generator,sample_*}/release; do
+for tool in dragmesh_cli dragmesh_evaluate; do
+    calls $(objects dragmesh_tools "$tool") > "$work/calls"
+    refuse_circles "calls in $tool" < "$work/calls"
+done
+for folder in build/obj/{dragmesh_viewer,dragmesh_lab,dragmesh_generate,dragmesh_generator,sample_*}/release; do
     [ -d "$folder" ] || continue # a program whose library is missing, or one that was not asked for
     calls "$folder" > "$work/calls"
     refuse_circles "calls in $folder" < "$work/calls"
