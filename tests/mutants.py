@@ -54,7 +54,7 @@ AREAS = {
               "test_drag_boundary", "test_boundary", "test_replay_hands", "test_pull", "test_part_state",
               "test_no_alloc"]),
     "readers": (["sdk/kinematics/object/dmo_*.c", "sdk/nn/weights.c", "sdk/mesh/mask.c", "sdk/mesh/mesh_read.c",
-                 "sdk/mesh/gltf/*.c"],
+                 "sdk/gltf/*.c"],
                 ["test_mask", "test_mesh", "test_weights", "test_gltf_surface", "test_gltf_hints", "test_gltf_tree",
                  "test_gltf_export", "test_gltf", "test_gltf_fields", "test_gltf_edges", "test_gltf_documents", "test_gltf_scenes", "test_gltf_skins",
                  "test_gltf_folder", "test_gltf_copies", "test_gltf_props", "test_reader_bounds", "test_boundary", "test_dmo",

@@ -53,6 +53,7 @@ forbid() {
 forbid base/arena.c mesh/mesh.h dragmesh_cli/options.h generator/generator.h generator.h dragmesh_lab.h
 forbid math/frames.c mesh/mesh.h pick/pick.h
 forbid mesh/mesh.c motion/drag.h kinematics/analysis/part_analysis.h nn/layers.h
+forbid gltf/gltf_json.c pick/pick.h kinematics/object/object.h
 forbid pick/scene.c kinematics/object/object.h motion/drag.h
 forbid nn/layers.c mesh/mesh.h math/joint.h
 forbid segmentation/part_finder.c kinematics/analysis/part_analysis.h pick/pick.h

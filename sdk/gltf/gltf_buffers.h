@@ -1,0 +1,27 @@
+/* Buffers of a document, and views of them. */
+#ifndef DMI_GLTF_BUFFERS_H
+#define DMI_GLTF_BUFFERS_H
+
+#include "gltf/gltf_container.h"
+#include "gltf/gltf_file.h"
+
+/* Bytes of a view, decompressed. stride 0: packed. */
+typedef struct dmi_gltf_view {
+    const uint8_t* data;
+    uint64_t size, stride;
+} dmi_gltf_view;
+
+/* Copies the binary chunk, decodes embedded buffers and asks the host for files. */
+dm_result dmi_gltf_read_buffers(dm_gltf* gltf, const dmi_gltf_container* from, dmi_gltf_problem* problem);
+void dmi_gltf_release_buffers(dm_gltf* gltf);
+/* Finds the bytes of a data: URI, or of a file beside the document. dmi_gltf_release_buffers gives them back. */
+dm_result dmi_gltf_open_uri(dm_gltf* gltf, const char* uri, dmi_gltf_problem* problem, dmi_gltf_buffer* out);
+
+/* Checks that the view lies in its buffer. */
+dm_result dmi_gltf_find_view(dm_gltf* gltf, double index, const char* place, dmi_gltf_problem* problem,
+                             dmi_gltf_view* out);
+/* Finds the bytes of a view as they lie in the file, compressed. */
+dm_result dmi_gltf_find_stored(dm_gltf* gltf, const cJSON* view, const char* place, dmi_gltf_problem* problem,
+                               dmi_gltf_view* out);
+
+#endif
