@@ -166,6 +166,7 @@ local rooms = {
         "kinematics/ranking", "kinematics/limits" } },
     { "kinematics/object", { "base", "math", "mesh", "pick", "kinematics/analysis", "kinematics/inference" } },
     { "motion", { "base", "math", "mesh", "nn" } },
+    { "drag", { "base", "math", "motion" } },
     { "assets", { "base", "math", "mesh", "nn", "kinematics/hints", "kinematics/object" } },
 }
 

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "base/random.h"
-#include "motion/hand_likelihood.h"
-#include "motion/pull_evidence.h"
+#include "drag/hand_likelihood.h"
+#include "drag/pull_evidence.h"
 
 enum { PART = 77, RANKED = 3 };
 
