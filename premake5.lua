@@ -166,7 +166,7 @@ local rooms = {
         "kinematics/ranking", "kinematics/limits" } },
     { "kinematics/object", { "base", "math", "mesh", "pick", "kinematics/analysis", "kinematics/inference" } },
     { "motion", { "base", "math", "mesh", "nn" } },
-    { "drag", { "base", "math", "motion" } },
+    { "drag", { "math", "motion" } },
     { "assets", { "base", "math", "mesh", "nn", "kinematics/hints", "kinematics/object" } },
 }
 
@@ -234,7 +234,7 @@ end
 local made = {
     segmentation = { embed("part_finder_weights", "sdk/models/part_finder.safetensors",
         "segmentation/part_finder_weights.h") },
-    assets = { embed("asset_weights", "sdk/models/asset_parts.safetensors", "assets/asset_weights.h") },
+    assets = { embed("asset_weights", "sdk/models/asset_parts.safetensors", "assets/asset_models.h") },
 }
 
 local api = "plugin_api/include"

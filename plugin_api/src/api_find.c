@@ -4,7 +4,6 @@
 #include "api_mesh.h"
 #include "base/fp_environment.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 #include "segmentation/part_finder.h"
 
 #define MESH_DONE 0.15f /* share of the work, when the mesh is checked; measured */

@@ -3,12 +3,11 @@
 
 #include <string.h>
 
-#include "assets/asset_weights.h"
+#include "assets/asset_grouping.h"
+#include "assets/asset_models.h"
 #include "assets/body_hints.h"
-#include "assets/body_order.h"
 #include "assets/free_bodies.h"
 #include "assets/node_labels.h"
-#include "assets/node_order.h"
 #include "kinematics/object/part_selection.h"
 
 #define BLOCK ((size_t)1 << 16) /* bytes, of the arena; by hand */
@@ -197,13 +196,41 @@ static dm_result infer_joints(making* work) {
 
 /* ---- the order of the parts ---- */
 
+/* Orders the bodies by their first nodes, those of a probability of min_moves and more before the others. out_number:
+ * the place that each of them had before -> its place now. All memory comes from the arena. */
+static dm_result renumber_bodies(dmi_arena* arena, dmi_asset_bodies* bodies, uint32_t node_count, float min_moves,
+                                 uint32_t** out_number) {
+    const uint32_t count = bodies->count;
+    uint32_t* number = dmi_arena_push(arena, (count + 1) * sizeof *number);
+    dmi_asset_body* old = dmi_arena_push(arena, (count + 1) * sizeof *old);
+    if (number == NULL || old == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    memcpy(old, bodies->bodies, count * sizeof *old);
+    for (uint32_t i = 0; i < count; i++) number[i] = DMI_ASSET_BODY;
+    uint32_t next = 0;
+    for (int moving = 1; moving >= 0; moving--)
+        for (uint32_t n = 0; n < node_count; n++) {
+            const uint32_t body = bodies->body_of_node[n];
+            if (body == DMI_ASSET_BODY || number[body] != DMI_ASSET_BODY) continue;
+            if ((old[body].moves >= min_moves) == (moving == 1)) number[body] = next++;
+        }
+    for (uint32_t i = 0; i < count; i++) {
+        dmi_asset_body* body = &bodies->bodies[number[i]];
+        *body = old[i];
+        if (body->carrier != DMI_ASSET_BODY) body->carrier = number[body->carrier];
+    }
+    for (uint32_t n = 0; n < node_count; n++)
+        if (bodies->body_of_node[n] != DMI_ASSET_BODY) bodies->body_of_node[n] = number[bodies->body_of_node[n]];
+    *out_number = number;
+    return DM_OK;
+}
+
 /* Joints are inferred in the order in which the bodies are found, so that what a host is told last, their numbers,
  * changes no joint. */
 static dm_result order_bodies(making* work) {
     const uint32_t count = work->bodies.count;
     uint32_t *number = NULL, *given_node = dmi_arena_push(&work->arena, count * sizeof *given_node);
-    if (given_node == NULL || dmi_asset_bodies_order(&work->arena, &work->bodies, work->desc->node_count,
-                                                     work->desc->min_moves, &number) != DM_OK)
+    if (given_node == NULL ||
+        renumber_bodies(&work->arena, &work->bodies, work->desc->node_count, work->desc->min_moves, &number) != DM_OK)
         return out_of_memory(work->env, work->desc->node_count);
     for (uint32_t i = 0; i < count; i++) given_node[number[i]] = work->given_node[i];
     work->given_node = given_node;

@@ -4,11 +4,9 @@
 
 #include <math.h>
 
-#include "base/number_bounds.h"
 #include "drag/hand_likelihood.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 #define ACTIVE_EVERY 3       /* rounds: the active hypothesis is shown, so it is refined more often; by hand */
 #define SHIFT_DEVIATION 0.1f /* standard deviation of a shift, share of the part's size; fitted */

@@ -7,7 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/number_bounds.h"
 #include "math/elementary.h"
 
 /* Shortest update, s; by hand. A shorter one counts as none, so that a step divided by its time stays in a float's

@@ -4,7 +4,6 @@
 
 #include <math.h>
 
-#include "math/constants.h"
 #include "math/elementary.h"
 
 #define DEFAULT_SMOOTHING_TIME 0.02f /* s, half-life; by hand: hides a mouse's pixels */

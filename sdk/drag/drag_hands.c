@@ -1,11 +1,9 @@
 /* What hands other than one pointer ask for: a hand in space, a scalar, two hands. */
 #include <math.h>
 
-#include "base/number_bounds.h"
 #include "drag/drag_pointer.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 #define EYE_DISTANCE 8.0f /* sizes of the part, from the grabbed point to an eye; by hand */
 #define PRESS_TIME 0.25f  /* s at an estimated limit before it gives to a rate; by hand */

@@ -2,11 +2,9 @@
  * another hypothesis. This file alone writes the drag's joint, its limits and its tracker. */
 #include <math.h>
 
-#include "base/number_bounds.h"
 #include "drag/drag_internal.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 /* Share of the part's size; a grabbed point farther from rest has been moved. By hand. */
 #define OPEN_SHARE 0.006f

@@ -6,12 +6,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/number_bounds.h"
 #include "drag/drag_internal.h"
-#include "math/constants.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 /* Largest step of the grabbed point that one update makes whole, as a multiple of the pointer's own. By hand: where the
  * path runs within 1/16 rad of the ray, less than that decides where on it the pointer is. */

@@ -1,5 +1,4 @@
 /* A part that is let go: what the plan of its release does, update by update, and what its rules add. */
-#include "base/number_bounds.h"
 #include "drag/drag_internal.h"
 #include "math/elementary.h"
 

@@ -4,7 +4,6 @@
 
 #include <math.h>
 
-#include "base/number_bounds.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
 

@@ -5,10 +5,8 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "math/constants.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 /* All values are set by hand, with the cases of tests/unit/test_drag.c; docs/feel.md. */
 #define MAX_STEPS 16           /* steps of Newton's method */

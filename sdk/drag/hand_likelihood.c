@@ -8,10 +8,8 @@
 
 #include <math.h>
 
-#include "math/constants.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 #define NOISE_PER_LENGTH 0.01f /* expected residual on the right joint, share of the pull's length */
 #define NOISE_FLOOR 0.0015f    /* expected residual at the start, share of the part's size */

@@ -3,11 +3,9 @@
 
 #include <math.h>
 
-#include "base/number_bounds.h"
 #include "drag/hand_likelihood.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 #define MIN_PULL 0.006f /* share of the part's size: a shorter pull carries no information; fitted */
 /* Log odds of a slide along an object axis that inference did not propose; fitted. */

@@ -7,10 +7,8 @@
 #include <math.h>
 
 #include "drag/hand_likelihood.h"
-#include "math/constants.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 #define PUSH_LOG_PRIOR (-1.5f)      /* log prior of a hand that pushes a part against its stop; by hand */
 #define EXCURSION_LOG_PRIOR (-4.0f) /* log prior of the side of rest to which the pull has gone less far; by hand */

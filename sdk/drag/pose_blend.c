@@ -6,7 +6,6 @@
 
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 /* The values are fitted by the scripted player (docs/research/trials_drag.md). */
 #define TURN_TIME 0.1f       /* s for the rotation at least */

@@ -6,7 +6,6 @@
 
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 /* Squared sine between a circle's two seen directions; below it the circle is edge on; by hand. */
 #define MIN_SINE2 1e-2f

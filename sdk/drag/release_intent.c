@@ -3,7 +3,6 @@
 
 #include <math.h>
 
-#include "math/constants.h"
 #include "math/elementary.h"
 
 /* The values are set by hand, with the releases of tests/unit/test_drag_release.c; docs/feel.md. */

@@ -3,9 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/number_bounds.h"
 #include "drag/release.h"
-#include "math/constants.h"
 #include "math/elementary.h"
 
 /* The values are set by hand, with the releases of tests/unit/test_drag_release.c; docs/feel.md. */

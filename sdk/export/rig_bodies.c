@@ -7,7 +7,6 @@
 #include "export/rig_text.h"
 #include "math/joint.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 #define UNSET UINT32_MAX
 

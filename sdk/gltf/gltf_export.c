@@ -12,7 +12,6 @@
 #include <stdbool.h>
 
 #include "base/fp_environment.h"
-#include "base/number_bounds.h"
 #include "gltf/gltf_animation.h"
 #include "gltf/gltf_images.h"
 #include "gltf/gltf_instancing.h"

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/kept.h"
+#include "base/env.h"
 #include "mesh/mesh_parts.h"
 #include "mesh/mesh_read.h"
 

@@ -4,7 +4,7 @@
 #define DMI_KPP_KPP_FRAME_H
 
 #include "kinematics/kpp/kpp_subset.h"
-#include "math/drag_hint.h"
+#include "math/joint.h"
 #include "math/linear3.h"
 
 /* y = (rotation (x - origin)) * scale. The rows of rotation are the frame's axes; x is object-normalised. */

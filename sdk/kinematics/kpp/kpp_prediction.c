@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#include "math/constants.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
 

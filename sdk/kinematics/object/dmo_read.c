@@ -3,7 +3,7 @@
 
 #include <float.h>
 
-#include "base/kept.h"
+#include "base/env.h"
 #include "kinematics/object/dmo.h"
 #include "kinematics/object/dmo_bytes.h"
 #include "kinematics/object/dmo_check.h"

@@ -7,7 +7,7 @@
 
 #include "base/ids.h"
 #include "math/elementary.h"
-#include "math/vec3.h"
+#include "math/linear3.h"
 
 #define MAX_DRAG_DISTANCE 0.5f /* object sizes from the part's box to a drag's point; by hand */
 #define MIN_DRAG_LENGTH 1e-12  /* object sizes, of a drag's vector; by hand */

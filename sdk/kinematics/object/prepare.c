@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-#include "base/arena_pool.h"
+#include "base/arena.h"
 #include "kinematics/analysis/part_analysis.h"
 #include "kinematics/object/alike_parts.h"
 #include "kinematics/object/choice.h"
