@@ -233,7 +233,7 @@ end
 -- Sources that the build makes for a room.
 local made = {
     segmentation = { embed("part_finder_weights", "sdk/models/part_finder.safetensors",
-        "segmentation/part_finder_weights.h") },
+        "segmentation/part_networks.h") },
     assets = { embed("asset_weights", "sdk/models/asset_parts.safetensors", "assets/asset_models.h") },
 }
 

@@ -1,10 +1,9 @@
 /* Two passes over the recorded rays for each hypothesis: the first accumulates the Gauss-Newton step of the axis line,
  * the second measures the shifted line, which is kept when it is clearly more probable. */
-#include "drag/axis_refine.h"
+#include "drag/joint_hypothesis.h"
 
 #include <math.h>
 
-#include "drag/hand_likelihood.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
 

@@ -6,8 +6,8 @@
 #include "drag/drag_events.h"
 #include "drag/drag_rules.h"
 #include "drag/follow.h"
+#include "drag/hypothesis_tracker.h"
 #include "drag/pose_blend.h"
-#include "drag/pull_evidence.h"
 #include "drag/release.h"
 
 /* ---- hands other than one pointer: a hand in space, a scalar, and a second hand beside the first ---- */

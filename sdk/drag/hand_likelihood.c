@@ -4,7 +4,7 @@
  *
  * All numbers are fitted to scripted drags of generated objects (docs/research/trials_drag.md), unless their comment
  * says otherwise. */
-#include "drag/hand_likelihood.h"
+#include "drag/joint_hypothesis.h"
 
 #include <math.h>
 

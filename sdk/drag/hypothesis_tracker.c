@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "drag/hand_likelihood.h"
+#include "drag/joint_hypothesis.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
 

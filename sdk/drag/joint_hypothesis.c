@@ -6,7 +6,6 @@
 
 #include <math.h>
 
-#include "drag/hand_likelihood.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
 

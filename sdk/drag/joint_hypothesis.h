@@ -86,4 +86,49 @@ float dmi_joint_hypothesis_update_active(const dmi_grasp* grasp, dmi_joint_hypot
 /* Gives the joint the side of rest that the pull goes to. Returns true when it had the other. */
 bool dmi_joint_hypothesis_adopt_side(dmi_joint_hypothesis* hypothesis, float size);
 
+/* ---- hand_likelihood.c: how probable an update of the pull is on a hypothesis ---- */
+
+/* Adds one more ray to the pull. */
+void dmi_grasp_add(dmi_grasp* grasp, const dm_ray* ray);
+/* Returns whether the pull bends so little that the hand may have meant a straight line. */
+bool dmi_grasp_is_straight(const dmi_grasp* grasp);
+/* Whether the pull can't tell this joint's value, nor anything against it: the part was grabbed on this joint, whose
+ * first motion is seen end on. */
+bool dmi_joint_hypothesis_is_end_on(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis);
+/* Returns the residual that the right joint has with an unsteady pointer, host units. */
+float dmi_expected_residual(const dmi_grasp* grasp);
+/* Returns the log likelihood of a hand that follows the part exactly and misses it by this largest residual. */
+float dmi_followed_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis, float residual);
+/* Returns the log likelihood of the pull, summed over the ways in which a hand may pull. residual: the largest one. */
+float dmi_joint_hypothesis_log_likelihood(const dmi_grasp* grasp, const dmi_joint_hypothesis* hypothesis,
+                                          float residual);
+
+/* ---- axis_refine.c: the line of an axis, where the pull shows it ---- */
+
+#define DMI_TRACKED_HYPOTHESES 64 /* 8 ranked, 48 alternatives and 3 fallback slides fit */
+#define DMI_NO_HYPOTHESIS UINT32_MAX
+
+/* A hypothesis goes through the recorded rays with its axis line as it is, and then, if the step promises a higher
+ * posterior, with the line shifted. */
+typedef struct dmi_axis_refiner {
+    dmi_pull_fit fit;
+    uint32_t hypothesis; /* being refined; DMI_NO_HYPOTHESIS: none */
+    uint32_t thinned;    /* the pull's `thinned` when the fit began */
+    bool shifted;        /* second pass, with the shifted line */
+    float shift[2];      /* the shift under test, in part sizes */
+    float shift_cost;    /* negative log prior of that shift */
+    float unshifted_log_posterior;
+    /* Last log posterior plus a bonus for waiting; the highest is refined next. */
+    float priority[DMI_TRACKED_HYPOTHESES];
+    uint32_t rounds; /* hypotheses refined so far */
+} dmi_axis_refiner;
+
+void dmi_axis_refiner_init(dmi_axis_refiner* refiner);
+/* Announces a new hypothesis. */
+void dmi_axis_refiner_add(dmi_axis_refiner* refiner, uint32_t index, const dmi_joint_hypothesis* hypothesis);
+/* Follows one recorded ray. Returns the hypothesis whose line has changed (its posterior is then up to date), mostly
+ * DMI_NO_HYPOTHESIS. */
+uint32_t dmi_axis_refiner_step(dmi_axis_refiner* refiner, const dmi_grasp* grasp, dmi_joint_hypothesis* hypotheses,
+                               uint32_t count, uint32_t best);
+
 #endif

@@ -1,5 +1,5 @@
 /* Evidence of earlier pulls, as sixteen bytes of a state that hosts save. */
-#include "drag/pull_evidence.h"
+#include "drag/hypothesis_tracker.h"
 
 #include <math.h>
 #include <string.h>

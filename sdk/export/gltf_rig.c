@@ -7,7 +7,6 @@
 #include "base/fp_environment.h"
 #include "base/utf8.h"
 #include "export/rig_formats.h"
-#include "export/rig_glb.h"
 
 enum { ALIGNMENT = 16, PATH = DMI_RIG_NAME + 16 };
 

@@ -24,4 +24,8 @@ void dmi_rig_principal(const dmi_rig_body* body, double out_moments[3], double o
 #define DMI_RIG_EFFORT 1000.0  /* N, N m; the most that drives it */
 #define DMI_RIG_VELOCITY 100.0 /* m/s, rad/s; the fastest that it moves */
 
+/* Writes the file of the model's nodes with an animation, joints, masses and collision boxes, into memory of the host.
+ * The root is not the only body. */
+dm_result dmi_rig_write_glb(dmi_rig_model* model, void** out_data, size_t* out_size);
+
 #endif

@@ -11,16 +11,15 @@
  * What a clip of the file moves, with all that it carries, is left to that clip: its node gets the joint in `extras`,
  * and no body. The limits tell how the seat stands in the frame of the joint's node, which moves: the other way round.
  */
-#include "export/rig_glb.h"
+#include "export/rig_formats.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "export/rig_clips.h"
-#include "export/rig_formats.h"
+#include "gltf/gltf_asset.h"
 #include "gltf/gltf_edit.h"
-#include "gltf/gltf_joints.h"
 #include "gltf/gltf_matrix.h"
 
 #define PHYSICS "KHR_physics_rigid_bodies"

@@ -8,14 +8,12 @@
 #include "gltf/gltf_asset.h"
 #include "gltf/gltf_buffers.h"
 #include "gltf/gltf_disk.h"
-#include "gltf/gltf_fields.h"
+#include "gltf/gltf_document.h"
 #include "gltf/gltf_folder.h"
 #include "gltf/gltf_geometry.h"
-#include "gltf/gltf_instancing.h"
 #include "gltf/gltf_merge.h"
 #include "gltf/gltf_morph.h"
 #include "gltf/gltf_names.h"
-#include "gltf/gltf_roles.h"
 #include "gltf/gltf_tree.h"
 
 /* Bytes of a description before fields were added to it. */

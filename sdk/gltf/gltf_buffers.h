@@ -2,8 +2,22 @@
 #ifndef DMI_GLTF_BUFFERS_H
 #define DMI_GLTF_BUFFERS_H
 
-#include "gltf/gltf_container.h"
 #include "gltf/gltf_file.h"
+#include "gltf/gltf_problem.h"
+
+/* ---- the parts of a .glb or .gltf file ---- */
+
+typedef struct dmi_gltf_container {
+    const char* json;
+    size_t json_size;
+    const uint8_t* bin; /* NULL: none */
+    size_t bin_size;
+} dmi_gltf_container;
+
+/* Checks header and chunk sizes. The parts point into `data`. */
+dm_result dmi_gltf_split(const uint8_t* data, size_t size, dmi_gltf_problem* problem, dmi_gltf_container* out);
+
+/* ---- buffers ---- */
 
 /* Bytes of a view, decompressed. stride 0: packed. */
 typedef struct dmi_gltf_view {

@@ -1,6 +1,6 @@
 /* Reads animations, node by node. A clip is how the node's local transform moves it from where the file has it, in the
  * frame of the scene. The nodes above it stand still, so that the drawer of a moving cabinet only slides. */
-#include "gltf/gltf_clips.h"
+#include "gltf/gltf_asset.h"
 
 #include <float.h>
 #include <math.h>

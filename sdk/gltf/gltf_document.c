@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "gltf/gltf_draco.h"
-#include "gltf/gltf_instancing.h"
 #include "gltf/gltf_meshopt.h"
+#include "gltf/gltf_tree.h"
 
 const char* const dmi_gltf_list_names[DMI_GLTF_LISTS] = {
     [DMI_GLTF_ACCESSORS] = "accessors", [DMI_GLTF_BUFFERS] = "buffers",  [DMI_GLTF_IMAGES] = "images",

@@ -1,4 +1,5 @@
-/* A glTF document: its JSON with its lists, addressed by index. */
+/* A glTF document: its JSON with its lists, addressed by index, and the check of its fields
+ * (gltf_fields.c). */
 #ifndef DMI_GLTF_DOCUMENT_H
 #define DMI_GLTF_DOCUMENT_H
 
@@ -57,5 +58,10 @@ enum {
 };
 enum { DMI_GLTF_TRIANGLES = 4, DMI_GLTF_STRIP = 5, DMI_GLTF_FAN = 6 };
 enum { DMI_GLTF_VERTEX_TARGET = 34962, DMI_GLTF_INDEX_TARGET = 34963 };
+
+/* Checks the fields that this library reads without another check: an index must be one, a list of numbers as long as
+ * glTF has it, a name text, and an object an object. Answers BAD_DATA, with the field, what it must be and what it is.
+ * Other faults of counts, sizes and offsets are refused where these are read. */
+dm_result dmi_gltf_check_fields(const dmi_gltf_document* document, dmi_gltf_problem* problem);
 
 #endif

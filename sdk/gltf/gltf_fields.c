@@ -1,5 +1,5 @@
 /* The fields of glTF 2.0 that are read, as tables, and the walk over them. */
-#include "gltf/gltf_fields.h"
+#include "gltf/gltf_document.h"
 
 #include <float.h>
 #include <math.h>

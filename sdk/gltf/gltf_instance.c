@@ -1,5 +1,5 @@
 /* Places shapes in the scene. */
-#include "gltf/gltf_instance.h"
+#include "gltf/gltf_merge.h"
 
 #include <float.h>
 #include <inttypes.h>

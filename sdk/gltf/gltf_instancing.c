@@ -1,6 +1,6 @@
 /* Makes nodes of instances. Each may be a part, such as one of four drawers, and the rest of the library need not know
  * of instances. */
-#include "gltf/gltf_instancing.h"
+#include "gltf/gltf_tree.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /* Joints of `extras`, as this library's tool, page and add-on for Blender write them, and of KHR_physics_rigid_bodies.
  */
-#include "gltf/gltf_joints.h"
+#include "gltf/gltf_asset.h"
 
 #include <float.h>
 #include <math.h>

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "gltf/gltf_hints.h"
-#include "gltf/gltf_instance.h"
 #include "gltf/gltf_skin.h"
 
 /* An object this many times its size away from the scene's origin gets an origin of its own: a float there holds a

@@ -1,4 +1,4 @@
-/* Who moves with which track of an export. */
+/* Who moves with which track of an export, and the keys of a track as an animated node. */
 #ifndef DMI_GLTF_MOVES_H
 #define DMI_GLTF_MOVES_H
 
@@ -23,5 +23,14 @@ dm_result dmi_moves_open(dmi_moves* m, dmi_env* env, dm_gltf* gltf, const dm_glt
 void dmi_moves_close(dmi_moves* m, dmi_env* env);
 /* Returns how many faces of a piece `owner` has, as dmi_moves.owners counts. */
 uint64_t dmi_moves_count(const dmi_moves* m, const dmi_gltf_piece* piece, uint32_t owner);
+
+/* ---- keys of a track as an animated node ---- */
+
+/* Adds an animation in front of all others, so that a viewer plays it. */
+cJSON* dmi_animation_add(dmi_edit* e, const char* name);
+/* Adds the node that the track moves and its channels. Returns the node, which has no children yet and stands at
+ * `out_pivot` in the scene. */
+dmi_edit_item dmi_animation_add_track(dmi_edit* e, const dmi_moves* moves, cJSON* animation, const dm_gltf_track* track,
+                                      uint32_t index, double out_pivot[3]);
 
 #endif

@@ -9,7 +9,6 @@
 #include <string.h>
 
 #include "gltf/gltf_morph.h"
-#include "gltf/gltf_surface.h"
 
 /* Longest description of a place in a file ("node 3 'door', primitive 0"). */
 #define PLACE_SIZE 192

@@ -1,7 +1,9 @@
-/* The triangles of one mesh of the file in the mesh's own frame, which every node that has the mesh places. */
+/* The triangles of one mesh of the file in the mesh's own frame, which every node that has the mesh places, and what
+ * their surface looks like (gltf_surface.c). */
 #ifndef DMI_GLTF_SHAPE_H
 #define DMI_GLTF_SHAPE_H
 
+#include "gltf/gltf_file.h"
 #include "gltf/gltf_geometry.h"
 
 /* Primitives that share their vertices. */
@@ -53,5 +55,8 @@ void dmi_gltf_builder_close(dmi_gltf_builder* builder);
 
 /* Builds the shape of a node's mesh, unless that was done. Bad primitives are left out with a warning. */
 dm_result dmi_gltf_build_shape(dmi_gltf_builder* builder, uint32_t node, dmi_gltf_problem* problem);
+
+/* Returns the primitive's material, and writes its base colour. Without a material it returns NULL and writes white. */
+const cJSON* dmi_gltf_material_of(const dm_gltf* gltf, const cJSON* primitive, float out_colour[4]);
 
 #endif

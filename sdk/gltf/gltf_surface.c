@@ -1,5 +1,5 @@
 /* Reads surfaces: triangles with one material, the image of its base colour, and where their corners lie in it. */
-#include "gltf/gltf_surface.h"
+#include "gltf/gltf_shape.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "drag/drag.h"
-#include "drag/hand_likelihood.h"
+#include "drag/joint_hypothesis.h"
 
 #define FRAME (1.0f / 60)
 

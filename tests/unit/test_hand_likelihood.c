@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "drag/hand_likelihood.h"
+#include "drag/joint_hypothesis.h"
 #include "math/linear3.h"
 
 static const float handle[3] = {0.3f, 0.3f, 0};

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "drag/drag.h"
-#include "drag/hand_likelihood.h"
+#include "drag/joint_hypothesis.h"
 #include "math/frames.h"
 #include "math/linear3.h"
 

@@ -4,11 +4,10 @@
 #include <float.h>
 
 #include "base/env.h"
-#include "kinematics/object/dmo.h"
 #include "kinematics/object/dmo_bytes.h"
 #include "kinematics/object/dmo_check.h"
 #include "kinematics/object/dmo_format.h"
-#include "kinematics/object/object_mesh.h"
+#include "kinematics/object/object.h"
 #include "pick/backend.h"
 
 /* Shares of the work, when the checksum is right, when the arrays of triangles are copied, and when these are measured;

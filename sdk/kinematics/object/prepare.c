@@ -7,7 +7,7 @@
 #include "kinematics/analysis/part_analysis.h"
 #include "kinematics/object/alike_parts.h"
 #include "kinematics/object/choice.h"
-#include "kinematics/object/object_mesh.h"
+#include "kinematics/object/object.h"
 #include "mesh/connectivity.h"
 #include "mesh/mesh_repair.h"
 
