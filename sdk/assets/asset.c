@@ -11,9 +11,6 @@
 #include "kinematics/object/part_selection.h"
 
 #define BLOCK ((size_t)1 << 16) /* bytes, of the arena; by hand */
-#define MESH_DONE 0.05f         /* progress reported when the mesh of the nodes is measured; by hand */
-#define BODIES_DONE 0.15f       /* and when the bodies are known */
-#define JOINTS_DONE 0.95f       /* and when their joints are */
 
 /* The work of one call. */
 typedef struct making {
@@ -108,7 +105,8 @@ static dm_result drop_flat_bodies(making* work) {
 }
 
 static dm_result find_bodies(making* work) {
-    const dmi_progress finding = dmi_progress_piece(work->desc->progress, MESH_DONE, BODIES_DONE);
+    const dmi_progress finding =
+        dmi_progress_piece(work->desc->progress, DMI_STAGE_BODIES_MESH_MEASURED, DMI_STAGE_BODIES_KNOWN);
     dmi_asset_models models;
     dm_result result = dmi_asset_models_load(work->env, dmi_asset_weights, dmi_asset_weights_size, &models);
     if (result != DM_OK) return result;
@@ -170,7 +168,8 @@ static dm_result describe_parts(making* work, dm_part_desc* out_parts) {
 
 static dm_result infer_joints(making* work) {
     const dmi_asset_desc* desc = work->desc;
-    const dmi_progress preparing = dmi_progress_piece(desc->progress, BODIES_DONE, JOINTS_DONE);
+    const dmi_progress preparing =
+        dmi_progress_piece(desc->progress, DMI_STAGE_BODIES_KNOWN, DMI_STAGE_BODIES_JOINTS_KNOWN);
     dm_part_desc* parts = dmi_arena_push(&work->arena, work->bodies.count * sizeof *parts);
     if (parts == NULL) return out_of_memory(work->env, desc->node_count);
     dm_result result = find_given(work);
@@ -339,7 +338,7 @@ static dm_result fill(making* work, dmi_asset* asset) {
 
 static dm_result make(making* work, dmi_asset* asset) {
     const dmi_asset_desc* desc = work->desc;
-    const dmi_progress measuring = dmi_progress_piece(desc->progress, 0, MESH_DONE);
+    const dmi_progress measuring = dmi_progress_piece(desc->progress, 0, DMI_STAGE_BODIES_MESH_MEASURED);
     const dm_mesh_desc mesh = dmi_asset_mesh_describe(desc->mesh);
     dm_result result =
         dmi_mesh_create_numbered(work->env, desc->axes, &mesh, desc->node_count, &measuring, &work->mesh);

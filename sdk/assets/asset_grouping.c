@@ -22,9 +22,6 @@
 
 #define NOTHING 0xff /* every byte of an index that is none */
 
-#define CELLS_DONE 0.2f /* progress reported when the nodes are rasterised; by hand */
-#define PAIRS_DONE 0.5f /* and when their pairs are rated */
-
 /* ---- units that touch each other, but not the rest of what stays ---- */
 
 #define NONE UINT32_MAX
@@ -165,7 +162,7 @@ typedef struct choice {
 /* Rates the sets. One that holds a given node is a body only when it is that node alone. */
 static dm_result rate_sets(const dmi_asset_query* q, const dmi_asset_units* u, choice* c) {
     const dmi_merge_tree* tree = c->tree;
-    const dmi_progress rating = dmi_progress_piece(q->progress, PAIRS_DONE, 1);
+    const dmi_progress rating = dmi_progress_piece(q->progress, DMI_STAGE_GROUP_PAIRS_RATED, 1);
     dmi_set_ratings ratings;
     const dm_result result = dmi_set_ratings_make(q->arena, tree, q->models, DMI_CONTEXT_ROUNDS, &rating, &ratings);
     for (uint32_t s = 0; result == DM_OK && s < tree->set_count; s++) {
@@ -253,8 +250,9 @@ static dm_result find_bodies(const dmi_asset_query* q, const dmi_asset_units* u,
     const float* moves = NULL;
     dm_result result =
         dmi_node_labels_make(q->arena, q->nodes, q->node_count, u->node, u->count, q->use_names, &labels);
-    const dmi_progress filling = dmi_progress_piece(q->progress, 0, CELLS_DONE);
-    const dmi_progress merging = dmi_progress_piece(q->progress, CELLS_DONE, PAIRS_DONE);
+    const dmi_progress filling = dmi_progress_piece(q->progress, 0, DMI_STAGE_GROUP_CELLS_FILLED);
+    const dmi_progress merging =
+        dmi_progress_piece(q->progress, DMI_STAGE_GROUP_CELLS_FILLED, DMI_STAGE_GROUP_PAIRS_RATED);
     if (result == DM_OK) result = dmi_node_cells_make(q->arena, q->mesh, u->of_part, u->count, &filling, &cells);
     if (result == DM_OK) result = dmi_merge_tree_make(q->arena, &cells, &labels, q->models, &merging, &tree);
     if (result == DM_OK) result = choose_bodies(q, u, &tree, out, body_of_unit, &moves);

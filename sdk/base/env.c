@@ -1,5 +1,5 @@
-/* Allocator, log and jobs of a context: the host's hooks, or malloc, no log and a plain loop. Scratch memory comes out of
- * its list of kept blocks or of the host. */
+/* Allocator, log and jobs of a context: the host's hooks, or malloc, no log and a plain loop. Scratch memory comes out
+ * of its list of kept blocks or of the host. */
 #include "base/env.h"
 
 #include <stdarg.h>

@@ -19,10 +19,6 @@
 /* Bytes of a description before fields were added to it. */
 #define FIRST_SIZE offsetof(dm_gltf_desc, progress)
 
-/* Shares of opening, when the JSON is parsed, and when the buffers are there; by hand. */
-#define PARSED 0.2f
-#define BUFFERS_READ 0.3f
-
 /* Returns where a description says its problems go; NULL when it is too short to say so. */
 static const dm_log* log_of(const dm_gltf_desc* desc) {
     return desc->struct_size >= FIRST_SIZE ? &desc->log : NULL;
@@ -64,17 +60,17 @@ static dm_result load_document(dm_gltf* gltf, const dm_gltf_desc* desc, dmi_gltf
     if (result == DM_OK) result = dmi_json_parse(container.json, container.json_size, problem, &root);
     if (result != DM_OK) return result;
     result = dmi_gltf_document_open(&gltf->env, root, problem, &gltf->document);
-    if (result == DM_OK) result = dmi_gltf_tell(gltf, PARSED, DMI_PROGRESS_STEP, problem);
+    if (result == DM_OK) result = dmi_gltf_tell(gltf, DMI_STAGE_GLTF_PARSED, DMI_PROGRESS_STEP, problem);
     if (result == DM_OK) result = dmi_gltf_check_asset(&gltf->document, problem);
     if (result == DM_OK) result = dmi_gltf_check_fields(&gltf->document, problem);
     if (result == DM_OK) result = dmi_gltf_read_buffers(gltf, &container, problem);
-    if (result == DM_OK) result = dmi_gltf_tell(gltf, BUFFERS_READ, DMI_PROGRESS_STEP, problem);
+    if (result == DM_OK) result = dmi_gltf_tell(gltf, DMI_STAGE_GLTF_BUFFERS_READ, DMI_PROGRESS_STEP, problem);
     if (result == DM_OK) result = dmi_gltf_unroll_instances(gltf, problem);
     if (result == DM_OK) result = dmi_gltf_part_morphs(gltf, problem);
     if (result == DM_OK) result = dmi_gltf_read_tree(gltf, problem);
     if (result == DM_OK) result = dmi_gltf_sort_names(gltf, problem);
     if (result == DM_OK) result = dmi_gltf_find_roles(gltf, problem);
-    if (result == DM_OK) result = dmi_gltf_tell(gltf, DMI_GLTF_TREE_READ, DMI_PROGRESS_STEP, problem);
+    if (result == DM_OK) result = dmi_gltf_tell(gltf, DMI_STAGE_GLTF_TREE_READ, DMI_PROGRESS_STEP, problem);
     if (result == DM_OK) result = dmi_gltf_merge(gltf, problem);
     return result == DM_OK ? dmi_gltf_tell(gltf, 1, DMI_PROGRESS_STEP, problem) : result;
 }

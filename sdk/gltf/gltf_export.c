@@ -24,13 +24,6 @@
 /* What becomes of a node in the lists of children and roots, besides the index of its stand-in. */
 enum { KEPT = -1, GONE = -2, MOVED_ALONE = -3 /* what is below it stays */ };
 
-/* Shares of the work: when the faces of the tracks are known, when these have their animations, and when what moves and
- * what stays have their triangles; by hand. */
-#define OPENED 0.1f
-#define TRACKS_ADDED 0.2f
-#define PARTS_MOVED 0.5f
-#define LISTS_MENDED 0.7f
-
 typedef struct exporter {
     dmi_edit edit;
     dmi_moves moves;
@@ -354,14 +347,14 @@ static dm_result write_export(exporter* x, void** out_data, size_t* out_size) {
     dmi_edit* e = &x->edit;
     cJSON* animation = x->track_count > 0 ? dmi_animation_add(e, "dragmesh") : NULL;
     const int32_t first = (int32_t)e->counts[DMI_GLTF_NODES];
-    dmi_edit_tell(e, OPENED, DMI_PROGRESS_STEP);
+    dmi_edit_tell(e, DMI_STAGE_EXPORT_OPENED, DMI_PROGRESS_STEP);
     for (uint32_t t = 0; t < x->track_count; t++) add_track(x, animation, t);
-    dmi_edit_tell(e, TRACKS_ADDED, DMI_PROGRESS_STEP);
+    dmi_edit_tell(e, DMI_STAGE_EXPORT_TRACKS_ADDED, DMI_PROGRESS_STEP);
     for (uint32_t t = 0; t < x->track_count; t++) move_parts(x, t);
-    dmi_edit_tell(e, PARTS_MOVED, DMI_PROGRESS_STEP);
+    dmi_edit_tell(e, DMI_STAGE_EXPORT_PARTS_MOVED, DMI_PROGRESS_STEP);
     leave_parts(x);
     mend_lists(x);
-    dmi_edit_tell(e, LISTS_MENDED, DMI_PROGRESS_STEP);
+    dmi_edit_tell(e, DMI_STAGE_EXPORT_LISTS_MENDED, DMI_PROGRESS_STEP);
     cJSON* roots = shown_roots(x);
     for (uint32_t t = 0; t < x->track_count; t++) dmi_edit_append_number(e, roots, first + 2 * (int32_t)t);
     images_embed(e);

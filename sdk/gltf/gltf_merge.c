@@ -13,8 +13,6 @@
  * 65000th of its size. By hand. */
 #define FAR_AWAY 256
 
-#define SHAPES_BUILT 0.8f /* share of opening, when the shapes of all meshes are built; by hand */
-
 typedef struct merger {
     dm_gltf* gltf;
     dmi_gltf_builder builder;
@@ -109,7 +107,8 @@ static dm_result enter_nodes(merger* m, dmi_gltf_problem* problem) {
     for (uint32_t i = 0; i < count; i++) {
         const dmi_gltf_tree_node* node = &m->gltf->tree[i];
         if (node->mesh < 0 || !node->shown || !node->placed) continue;
-        const float done = DMI_GLTF_TREE_READ + (SHAPES_BUILT - DMI_GLTF_TREE_READ) * (float)i / (float)count;
+        const float done = DMI_STAGE_GLTF_TREE_READ +
+                           (DMI_STAGE_GLTF_SHAPES_BUILT - DMI_STAGE_GLTF_TREE_READ) * (float)i / (float)count;
         dm_result result = dmi_gltf_tell(m->gltf, done, 1, problem);
         if (result == DM_OK) result = enter_node(m, i, problem);
         if (result != DM_OK) return result;
@@ -203,7 +202,8 @@ static dm_result merge_nodes(merger* m, dmi_gltf_problem* problem) {
         const dmi_gltf_shape* shape = &m->builder.shapes[gltf->tree[node].mesh];
         result = is_skinned(gltf, node) ? dmi_gltf_add_skinned(gltf, shape, node, problem)
                                         : dmi_gltf_add_rigid(gltf, shape, node, problem);
-        const float done = SHAPES_BUILT + (1 - SHAPES_BUILT) * (float)i / (float)m->instance_count;
+        const float done =
+            DMI_STAGE_GLTF_SHAPES_BUILT + (1 - DMI_STAGE_GLTF_SHAPES_BUILT) * (float)i / (float)m->instance_count;
         if (result == DM_OK) result = dmi_gltf_tell(gltf, done, 1, problem);
     }
     if (result == DM_OK) result = dmi_gltf_judge_pivots(gltf, problem);

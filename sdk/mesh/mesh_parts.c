@@ -1,5 +1,5 @@
-/* Makes parts of the part ids of vertices or faces: those of the host's list, or every id that occurs. Looks parts up by
- * id and by what carries them. */
+/* Makes parts of the part ids of vertices or faces: those of the host's list, or every id that occurs. Looks parts up
+ * by id and by what carries them. */
 #include "mesh/mesh_parts.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 /* Whether the pivots of an asset's nodes follow one rule, as programs set them that nobody told where a part turns: all
- * in the middle of their boxes, at their lowest corners, at one point of the scene. Such a pivot says nothing. The parts of
- * a mesh are measured about their pivots for that. */
+ * in the middle of their boxes, at their lowest corners, at one point of the scene. Such a pivot says nothing. The
+ * parts of a mesh are measured about their pivots for that. */
 #ifndef DMI_MESH_PIVOT_RULE_H
 #define DMI_MESH_PIVOT_RULE_H
 

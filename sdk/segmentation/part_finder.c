@@ -67,11 +67,6 @@ dm_result dmi_mesh_nearest_face(const dmi_mesh* mesh, const float point[3], cons
 
 #define ARENA_BLOCK ((size_t)1 << 20) /* bytes; by hand */
 
-/* Shares of the work, when the grabbed face is found, the mesh is divided, and the proposals are made; measured. */
-#define FACE_FOUND 0.05f
-#define DIVIDED 0.5f
-#define PROPOSED 0.97f
-
 static bool has_given_pieces(const dmi_mesh* mesh) {
     uint32_t filled = 0;
     for (uint32_t p = 0; p < mesh->part_count; p++) filled += mesh->parts[p].face_count > 0;
@@ -83,14 +78,14 @@ static dm_result find_among_given(dmi_arena* arena, const dmi_part_query* query,
     dmi_pieces pieces;
     dmi_remaining_components components;
     dm_result result = dmi_pieces_make(arena, mesh, mesh->face_part, mesh->part_count, &pieces);
-    if (result == DM_OK) result = dmi_progress_tell(query->progress, DIVIDED);
+    if (result == DM_OK) result = dmi_progress_tell(query->progress, DMI_STAGE_SEARCH_DIVIDED);
     if (result == DM_OK) result = dmi_remaining_components_make(arena, &pieces, &components);
     if (result != DM_OK) return result;
     uint8_t* inside = dmi_arena_push(arena, pieces.count);
     if (inside == NULL)
         return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to find a part among %u", pieces.count);
     memset(inside, 0, pieces.count);
-    const dmi_progress finding = dmi_progress_piece(query->progress, DIVIDED, 1);
+    const dmi_progress finding = dmi_progress_piece(query->progress, DMI_STAGE_SEARCH_DIVIDED, 1);
     uint32_t face;
     result = dmi_mesh_nearest_face(mesh, query->point, &finding, &face);
     if (result != DM_OK) return result;
@@ -125,16 +120,18 @@ static const dmi_proposal* best_proposal(const dmi_perceptron* choice, dmi_isa i
 static dm_result find_among_proposals(dmi_arena* arena, const dmi_part_query* query, uint8_t* out_faces) {
     const dmi_isa isa = dmi_cpu_best_isa();
     const dmi_mesh* mesh = query->mesh;
-    const dmi_progress searching = dmi_progress_piece(query->progress, 0, FACE_FOUND),
-                       dividing = dmi_progress_piece(query->progress, FACE_FOUND, DIVIDED),
-                       proposing = dmi_progress_piece(query->progress, DIVIDED, PROPOSED);
+    const dmi_progress searching = dmi_progress_piece(query->progress, 0, DMI_STAGE_SEARCH_FACE_FOUND),
+                       dividing =
+                           dmi_progress_piece(query->progress, DMI_STAGE_SEARCH_FACE_FOUND, DMI_STAGE_SEARCH_DIVIDED),
+                       proposing =
+                           dmi_progress_piece(query->progress, DMI_STAGE_SEARCH_DIVIDED, DMI_STAGE_SEARCH_PROPOSED);
     dmi_part_networks networks;
     dmi_mesh_sheets sheets;
     dmi_grab grab;
     dmi_copy3(query->point, grab.point);
     dmi_copy3(query->drag, grab.drag);
     dm_result result = dmi_mesh_nearest_face(mesh, query->point, &searching, &grab.face);
-    if (result == DM_OK) result = dmi_progress_tell(query->progress, FACE_FOUND);
+    if (result == DM_OK) result = dmi_progress_tell(query->progress, DMI_STAGE_SEARCH_FACE_FOUND);
     if (result != DM_OK) return result;
     result = dmi_load_network(arena->env, dmi_part_finder_weights, dmi_part_finder_weights_size,
                               DMI_PART_FINDER_ARCHITECTURE, read_networks, &networks, arena);
@@ -142,10 +139,10 @@ static dm_result find_among_proposals(dmi_arena* arena, const dmi_part_query* qu
     dmi_proposals* proposals = dmi_arena_push(arena, sizeof *proposals);
     if (proposals == NULL) return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to find a part");
     result = dmi_mesh_sheets_make(arena, mesh, &dividing, &sheets);
-    if (result == DM_OK) result = dmi_progress_tell(query->progress, DIVIDED);
+    if (result == DM_OK) result = dmi_progress_tell(query->progress, DMI_STAGE_SEARCH_DIVIDED);
     if (result == DM_OK)
         result = dmi_proposals_make(arena, &sheets, &grab, &networks.growth, isa, &proposing, proposals);
-    if (result == DM_OK) result = dmi_progress_tell(query->progress, PROPOSED);
+    if (result == DM_OK) result = dmi_progress_tell(query->progress, DMI_STAGE_SEARCH_PROPOSED);
     if (result != DM_OK) return result;
     const dmi_proposal* best = best_proposal(&networks.choice, isa, proposals);
     for (uint32_t f = 0; f < mesh->face_count; f++)
