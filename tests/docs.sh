@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 files=$(find docs -name '*.md'; find samples bindings -name README.md; ls README.md CHANGELOG.md CONTRIBUTING.md sdk/models/README.md \
-    training/README.md packaging/archive.md)
+    tests/replay/README.md training/README.md packaging/archive.md)
 
 # Every byte that does not continue a UTF-8 character counts as one character.
 long=$(LC_ALL=C awk 'FNR == 1 { code = 0 }

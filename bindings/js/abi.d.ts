@@ -272,7 +272,7 @@ export const LinkFlag: {
 
 /** How a hand holds the part. */
 export const HandKind: {
-    /** there is no news of it, and the part goes on to where it was asked to be */
+    /** no input in this update: the part moves on to its last target */
     readonly NONE: 0;
     /** a pointer, with `ray` */
     readonly RAY: 1;

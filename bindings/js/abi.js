@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: 84bc035dc52dde61
+// Hash of the description: 1af77dcdb00098eb
 
 export const VERSION = '0.3.0-dev';
 export const VERSION_NUMBER = 12287;

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tests/fuzz/hours.sh — sums tests/fuzz/hours.tsv to the table of docs/reliability.md.
+# tests/fuzz/hours.sh — sums tests/fuzz/hours.tsv; docs/reliability.md has its inputs and findings.
 set -euo pipefail
 cd "$(dirname "$0")"
 echo "| target | CPU hours | inputs | edges covered | findings |"

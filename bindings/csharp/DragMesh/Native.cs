@@ -196,7 +196,7 @@ namespace DragMesh
         public const int DM_LINK_HOLDS = 2;
         /// <summary>the driven part of a DM_LINK_MOVES also moves the driver</summary>
         public const int DM_LINK_BOTH_WAYS = 1;
-        /// <summary>there is no news of it, and the part goes on to where it was asked to be</summary>
+        /// <summary>no input in this update: the part moves on to its last target</summary>
         public const int DM_HAND_NONE = 0;
         /// <summary>a pointer, with `ray`</summary>
         public const int DM_HAND_RAY = 1;
@@ -860,7 +860,7 @@ namespace DragMesh
         public static Hypothesis New() => new Hypothesis { StructSize = (uint)sizeof(Hypothesis) };
     }
 
-    /// <summary>A part and its hypotheses, for the host to choose from. All of it is valid during the call only.</summary>
+    /// <summary>A part and its hypotheses, for the host to choose from. It is valid during the call only.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Choice
     {
@@ -1027,7 +1027,7 @@ namespace DragMesh
         public static AssetInfo New() => new AssetInfo { StructSize = (uint)sizeof(AssetInfo) };
     }
 
-    /// <summary>Nodes that move as one, or might.</summary>
+    /// <summary>Nodes that move together, or might.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct AssetPart
     {

@@ -524,7 +524,7 @@ class Hypothesis(Sized):
 
 
 class Choice(Sized):
-    """A part and its hypotheses, for the host to choose from. All of it is valid during the call only."""
+    """A part and its hypotheses, for the host to choose from. It is valid during the call only."""
 
     struct_size: int
     count: int
@@ -699,7 +699,7 @@ class AssetInfo(Sized):
 
 
 class AssetPart(Sized):
-    """Nodes that move as one, or might."""
+    """Nodes that move together, or might."""
 
     struct_size: int
     parent: int

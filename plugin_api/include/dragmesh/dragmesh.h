@@ -414,7 +414,7 @@ typedef struct dm_hypothesis {
     dm_joint_end ends[2];
 } dm_hypothesis;
 
-/* A part and its hypotheses, for the host to choose from. All of it is valid during the call only. */
+/* A part and its hypotheses, for the host to choose from. It is valid during the call only. */
 typedef struct dm_choice {
     uint32_t struct_size;
     uint32_t count; /* number of hypotheses, 1 to DM_MAX_HYPOTHESES */
@@ -594,7 +594,7 @@ enum {
     DM_ASSET_FROM_CLIP = 2  /* read from dm_asset_node.clips */
 };
 
-/* Nodes that move as one, or might. */
+/* Nodes that move together, or might. */
 typedef struct dm_asset_part {
     uint32_t struct_size;
     uint32_t parent;  /* index of the part that carries it, or DM_ASSET_NO_PART */
@@ -749,7 +749,7 @@ typedef struct dm_drag_desc {
 
 /* How a hand holds the part. */
 enum {
-    DM_HAND_NONE = 0, /* there is no news of it, and the part goes on to where it was asked to be */
+    DM_HAND_NONE = 0, /* no input in this update: the part moves on to its last target */
     DM_HAND_RAY = 1,  /* a pointer, with `ray` */
     /* A hand in space, with `point`. The vector from it to the grabbed point stays as it was in its first update. */
     DM_HAND_POINT = 2,

@@ -190,7 +190,7 @@ pub const DM_LINK_FREES: i32 = 1;
 pub const DM_LINK_HOLDS: i32 = 2;
 /// the driven part of a DM\_LINK\_MOVES also moves the driver
 pub const DM_LINK_BOTH_WAYS: i32 = 1;
-/// there is no news of it, and the part goes on to where it was asked to be
+/// no input in this update: the part moves on to its last target
 pub const DM_HAND_NONE: i32 = 0;
 /// a pointer, with \`ray\`
 pub const DM_HAND_RAY: i32 = 1;
@@ -791,7 +791,7 @@ impl Default for dm_hypothesis {
     }
 }
 
-/// A part and its hypotheses, for the host to choose from. All of it is valid during the call only.
+/// A part and its hypotheses, for the host to choose from. It is valid during the call only.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_choice {
@@ -1001,7 +1001,7 @@ impl Default for dm_asset_info {
     }
 }
 
-/// Nodes that move as one, or might.
+/// Nodes that move together, or might.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_asset_part {
