@@ -170,13 +170,14 @@ local rooms = {
         "kinematics/ranking", "kinematics/limits" } },
     { "kinematics/object", { "base", "math", "mesh", "pick", "kinematics/analysis", "kinematics/inference" } },
     { "motion", { "base", "math", "mesh", "nn" } },
+    { "drag", { "math", "motion" } },
     { "assets", { "base", "math", "mesh", "nn", "kinematics/hints", "kinematics/object" } },
 }
 
--- The rooms of dragmesh_gltf, in the same form. Both lie below mesh.
+-- The rooms of dragmesh_gltf, in the same form: no room of the library itself includes from them.
 local gltf_rooms = {
-    { "mesh/gltf", { "base", "math", "mesh" } },
-    { "mesh/export", { "base", "math", "mesh", "mesh/gltf" } },
+    { "gltf", { "base", "math", "mesh" } },
+    { "export", { "base", "math", "mesh", "gltf" } },
 }
 
 -- Returns the room's folder and every room that its headers lead to: what the compiler has to find.
@@ -236,8 +237,8 @@ end
 -- Sources that the build makes for a room.
 local made = {
     segmentation = { embed("part_finder_weights", "sdk/models/part_finder.safetensors",
-        "segmentation/part_finder_weights.h") },
-    assets = { embed("asset_weights", "sdk/models/asset_parts.safetensors", "assets/asset_weights.h") },
+        "segmentation/part_networks.h") },
+    assets = { embed("asset_weights", "sdk/models/asset_parts.safetensors", "assets/asset_models.h") },
 }
 
 local api = "plugin_api/include"
@@ -313,8 +314,8 @@ local gltf_macros = has_draco and {} or { "DMI_NO_DRACO" }
 -- Its sizes have 64 bits throughout: machines whose addresses have 32 do without it.
 local has_gltf = cross ~= "linux-arm32"
 if has_gltf then
-    shared("dragmesh_gltf", { "sdk/mesh/gltf/*.c", "sdk/mesh/gltf/*.cpp", "sdk/mesh/export/*.c" },
-        { api, include_folder("dragmesh_gltf", "sdk", gltf_rooms[1][2]) },
+    shared("dragmesh_gltf", { "sdk/gltf/*.c", "sdk/gltf/*.cpp", "sdk/export/*.c" },
+        { api, include_folder("dragmesh_gltf", "sdk", { "base", "math", "mesh", "gltf", "export" }) },
         { "meshoptimizer", "dragmesh_core", "m" }, "plugin_api/dragmesh_gltf.map")
         language "C++"
         defines(gltf_macros)

@@ -46,15 +46,15 @@ AREAS = {
                 ["test_ranker", "test_boosted_trees", "test_consensus_refine", "test_candidate_prefilter", "test_twin_leaves",
                  "test_alternatives", "test_golden_features", "test_joint_inference", "test_no_body", "test_huge_weights", "test_pull",
                  "test_choice", "test_object"]),
-    "drag": (["sdk/motion/drag*.c", "sdk/motion/follow*.c", "sdk/motion/hypothesis_tracker.c", "sdk/motion/joint_hypothesis.c",
-              "sdk/motion/pull_fit.c", "sdk/motion/axis_refine.c", "sdk/motion/pose_blend.c", "sdk/motion/part_links.c"],
+    "drag": (["sdk/drag/drag*.c", "sdk/drag/release_*.c", "sdk/drag/follow.c", "sdk/drag/hypothesis_tracker.c", "sdk/drag/joint_hypothesis.c",
+              "sdk/drag/pull_fit.c", "sdk/drag/axis_refine.c", "sdk/drag/pose_blend.c", "sdk/drag/part_links.c"],
              ["test_axis_refine", "test_part_links", "test_follow", "test_drag_corners", "test_drag_flight", "test_drag_snaps", "test_drag_feel",
               "test_drag_latch", "test_drag_hands", "test_drag_events", "test_drag_bounds", "test_pose_blend", "test_hypothesis_tracker",
               "test_drag_release", "test_drag_words", "test_hands", "test_drag", "test_drag_rules", "test_every_word",
               "test_drag_boundary", "test_boundary", "test_replay_hands", "test_pull", "test_part_state",
               "test_no_alloc"]),
     "readers": (["sdk/kinematics/object/dmo_*.c", "sdk/nn/weights.c", "sdk/mesh/mask.c", "sdk/mesh/mesh_read.c",
-                 "sdk/mesh/gltf/*.c"],
+                 "sdk/gltf/*.c"],
                 ["test_mask", "test_mesh", "test_weights", "test_gltf_surface", "test_gltf_hints", "test_gltf_tree",
                  "test_gltf_export", "test_gltf", "test_gltf_fields", "test_gltf_edges", "test_gltf_documents", "test_gltf_scenes", "test_gltf_skins",
                  "test_gltf_folder", "test_gltf_copies", "test_gltf_props", "test_reader_bounds", "test_boundary", "test_dmo",
@@ -62,7 +62,7 @@ AREAS = {
 }
 
 # Tests that take long, and what of the area's sources they are for. The others are asked about all of them.
-ONLY_FOR = {"test_pull": "ranking/|pull_fit|axis_refine|hypothesis|follow", "test_choice": "ranking/", "test_part_state": "drag",
+ONLY_FOR = {"test_pull": "ranking/|pull_fit|axis_refine|hypothesis|follow", "test_choice": "ranking/", "test_part_state": "drag_|release_|drag\\.c",
             "test_no_alloc": "drag\\.c", "test_dmo": "dmo_", "test_object": "ranking/|dmo_|mesh_read", "test_object_hints": "dmo_",
             "test_huge_weights": "ranking/|weights"}
 

@@ -55,18 +55,20 @@ forbid() { forbid_in "$(project "${1%/*}")" "sdk/$1" "${@:2}"; } # ROOM/FILE.c H
 
 forbid base/arena.c mesh/mesh.h options.h common/options.h generator/generator.h generator.h dragmesh_lab.h
 forbid math/frames.c mesh/mesh.h pick/pick.h
-forbid mesh/mesh.c motion/drag.h kinematics/analysis/part_analysis.h nn/layers.h
-forbid pick/scene.c kinematics/object/object.h motion/drag.h
+forbid mesh/mesh.c drag/drag.h kinematics/analysis/part_analysis.h nn/layers.h
+forbid gltf/gltf_json.c pick/pick.h kinematics/object/object.h
+forbid pick/scene.c kinematics/object/object.h drag/drag.h
 forbid nn/layers.c mesh/mesh.h math/joint.h
 forbid segmentation/part_finder.c kinematics/analysis/part_analysis.h pick/pick.h
 forbid kinematics/analysis/patches.c kinematics/ranking/ranker.h kinematics/kpp/kpp_net.h nn/layers.h
 forbid kinematics/kpp/kpp_input.c kinematics/analysis/part_analysis.h kinematics/candidates/candidates.h
 forbid kinematics/features/cheap_features.c kinematics/ranking/ranker.h kinematics/limits/limits.h
 forbid kinematics/ranking/ranker.c kinematics/limits/limits.h kinematics/inference/joint_inference.h
-forbid kinematics/inference/joint_inference.c kinematics/object/object.h motion/drag.h api_handles.h
-forbid kinematics/object/prepare.c motion/drag.h segmentation/part_finder.h
-forbid motion/drag.c kinematics/object/object.h pick/pick.h segmentation/part_finder.h api_handles.h dragmesh_lab.h
-forbid_in dragmesh_tools tools/common/play.c runs.h rig_output.h evaluate.h motion/drag.h api_handles.h
+forbid kinematics/inference/joint_inference.c kinematics/object/object.h drag/drag.h api_handles.h
+forbid kinematics/object/prepare.c drag/drag.h segmentation/part_finder.h
+forbid motion/motion.c drag/drag.h kinematics/object/object.h
+forbid drag/drag.c kinematics/object/object.h pick/pick.h segmentation/part_finder.h api_handles.h dragmesh_lab.h
+forbid_in dragmesh_tools tools/common/play.c runs.h rig_output.h evaluate.h drag/drag.h api_handles.h
 forbid_in dragmesh_cli tools/dragmesh/answer.c evaluate.h dragbot.h evaluate/evaluate.h mesh/mesh.h api_handles.h
 forbid_in dragmesh_evaluate tools/evaluate/box_object.c rig_output.h job_input.h dragmesh/rig_output.h mesh/mesh.h api_handles.h
 

@@ -13,7 +13,6 @@
 #include "base/fp_environment.h"
 
 #define NODES_BLOCK ((size_t)1 << 14) /* bytes of a block of the arena of copied nodes; by hand */
-#define MERGED 0.05f                  /* share of the work, when the meshes are merged; by hand */
 #define USUAL_MOVES 0.5f              /* dm_asset_desc.min_moves by default */
 
 /* ---- dm_asset_create ---- */
@@ -66,8 +65,8 @@ static dm_result publish(dm_context* context, const dm_asset_desc* desc, dmi_ass
 static dm_result make(dm_context* context, const dm_asset_desc* desc, dm_asset_node* nodes, dmi_asset_mesh* mesh,
                       const dmi_progress* progress, dmi_asset** out_asset) {
     dmi_env* env = &context->env;
-    const dmi_progress merging = dmi_progress_piece(progress, 0, MERGED),
-                       finding = dmi_progress_piece(progress, MERGED, 1);
+    const dmi_progress merging = dmi_progress_piece(progress, 0, DMI_STAGE_ASSET_MERGED),
+                       finding = dmi_progress_piece(progress, DMI_STAGE_ASSET_MERGED, 1);
     const dmi_model_slot* model = NULL;
     if (desc->model) {
         model = dmi_find(context, context->models, "dm_asset_create: desc.model", desc->model);

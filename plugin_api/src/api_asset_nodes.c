@@ -9,7 +9,7 @@
 #include "api_joint_check.h"
 #include "api_mesh.h"
 #include "assets/asset_mesh.h"
-#include "assets/node_order.h"
+#include "assets/node_labels.h"
 #include "base/utf8.h"
 
 /* Bytes of "dm_asset_create: desc.nodes[…]", of a field of it, and of a field of that, with ten digits an index. */

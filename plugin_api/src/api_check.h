@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "base/env.h"
-#include "base/number_bounds.h"
+#include "math/elementary.h"
 
 /* The checks of [frame] functions take this for an environment: they log nothing. */
 #define DMI_SILENT ((dmi_env*)NULL)

@@ -11,7 +11,6 @@
 #include "base/fp_environment.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 /* The constants below are set by hand; docs/feel.md. */
 /* Size of dm_part_state in the first version: its last field was the joint of that version. */

@@ -4,7 +4,6 @@
 
 #include "api_check.h"
 #include "api_drag.h"
-#include "base/number_bounds.h"
 #include "math/elementary.h"
 
 dm_result dmi_check_feel(dmi_env* env, const dm_drag_feel* feel) {

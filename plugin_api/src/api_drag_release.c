@@ -8,7 +8,6 @@
 #include "base/fp_environment.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 /* Paces the release by the motion that the network generates for pulling the grabbed point to the plan's outer end. */
 static void pace_by_network(dm_context* context, dmi_drag_slot* slot, uint32_t seed) {

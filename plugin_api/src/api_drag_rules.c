@@ -4,7 +4,7 @@
 
 #include "api_check.h"
 #include "api_drag.h"
-#include "math/vec3.h"
+#include "math/linear3.h"
 
 typedef struct number {
     const char* name;

@@ -3,8 +3,8 @@
 #include "api_handles.h"
 #include "api_object.h"
 #include "base/fp_environment.h"
-#include "kinematics/object/dmo.h"
-#include "kinematics/object/object_mesh.h"
+#include "kinematics/object/dmo_format.h"
+#include "kinematics/object/object.h"
 
 static dm_result save(dmi_env* env, const dmi_object* object, const dmi_bvh* trees, void* buffer, size_t capacity,
                       size_t* out_size) {

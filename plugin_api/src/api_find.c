@@ -4,10 +4,7 @@
 #include "api_mesh.h"
 #include "base/fp_environment.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 #include "segmentation/part_finder.h"
-
-#define MESH_DONE 0.15f /* share of the work, when the mesh is checked; measured */
 
 static dm_result check_buffer(dmi_env* env, const dmi_mesh* mesh, uint64_t face_count) {
     if (face_count >= mesh->face_count) return DM_OK;
@@ -53,8 +50,8 @@ dm_result DM_CALL dm_mesh_find_part(dm_context* context, const dm_mesh_desc* mes
     dm_result result = dmi_mesh_desc_read(env, "dm_mesh_find_part: mesh", mesh, &known);
     float told;
     const dmi_progress progress = dmi_progress_of(env, "dm_mesh_find_part", &told),
-                       reading = dmi_progress_piece(&progress, 0, MESH_DONE),
-                       finding = dmi_progress_piece(&progress, MESH_DONE, 1);
+                       reading = dmi_progress_piece(&progress, 0, DMI_STAGE_FIND_MESH_READ),
+                       finding = dmi_progress_piece(&progress, DMI_STAGE_FIND_MESH_READ, 1);
     dmi_mesh* inner = NULL;
     if (result == DM_OK) result = dmi_mesh_create_pieces(env, &context->axes, &known, &reading, &inner);
     if (result != DM_OK) return result;

@@ -5,10 +5,10 @@
 #include "assets/asset.h"
 #include "base/cpu.h"
 #include "base/pool.h"
+#include "drag/drag.h"
+#include "drag/part_links.h"
 #include "kinematics/object/prepare.h"
-#include "motion/drag.h"
 #include "motion/motion.h"
-#include "motion/part_links.h"
 #include "pick/pick.h"
 
 enum { DMI_KIND_MODEL = 1, DMI_KIND_OBJECT, DMI_KIND_MOTION, DMI_KIND_DRAG, DMI_KIND_SCENE, DMI_KIND_ASSET };

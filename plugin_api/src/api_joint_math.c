@@ -4,12 +4,9 @@
 #include "api_check.h"
 #include "api_joint_check.h"
 #include "base/fp_environment.h"
-#include "base/number_bounds.h"
-#include "math/constants.h"
 #include "math/elementary.h"
 #include "math/joint.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 #define LIMIT_TOLERANCE 1e-4f /* rad by which rounding may put a value beyond its limit; by hand */
 

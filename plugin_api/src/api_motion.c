@@ -5,10 +5,9 @@
 #include "api_check.h"
 #include "api_handles.h"
 #include "api_motion.h"
+#include "base/env.h"
 #include "base/fp_environment.h"
-#include "base/kept.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 #define MAX_PATH 65536 /* points of a host's path; by hand: a pointer at 1000 Hz for over a minute */
 

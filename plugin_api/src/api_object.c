@@ -10,7 +10,7 @@
 #include "api_object.h"
 #include "api_scene.h"
 #include "base/fp_environment.h"
-#include "math/vec3.h"
+#include "math/linear3.h"
 
 /* ---- the descriptors of dm_object_prepare ---- */
 

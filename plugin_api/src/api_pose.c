@@ -3,7 +3,7 @@
 
 #include "api_check.h"
 #include "math/dual_quat.h"
-#include "math/vec3.h"
+#include "math/linear3.h"
 
 #include "base/fp_environment.h"
 

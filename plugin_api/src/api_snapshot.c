@@ -7,7 +7,7 @@
 #include "api_drag.h"
 #include "api_joint_check.h"
 #include "base/fp_environment.h"
-#include "math/vec3.h"
+#include "math/linear3.h"
 
 #define MAGIC 0x53444D44u    /* "DMDS" */
 #define UNIT_TOLERANCE 1e-5f /* error of an axis' length; by hand: rounding leaves 1e-7, and poses are as far off */

@@ -3,18 +3,14 @@
 
 #include <string.h>
 
-#include "assets/asset_weights.h"
+#include "assets/asset_grouping.h"
+#include "assets/asset_models.h"
 #include "assets/body_hints.h"
-#include "assets/body_order.h"
 #include "assets/free_bodies.h"
 #include "assets/node_labels.h"
-#include "assets/node_order.h"
 #include "kinematics/object/part_selection.h"
 
 #define BLOCK ((size_t)1 << 16) /* bytes, of the arena; by hand */
-#define MESH_DONE 0.05f         /* progress reported when the mesh of the nodes is measured; by hand */
-#define BODIES_DONE 0.15f       /* and when the bodies are known */
-#define JOINTS_DONE 0.95f       /* and when their joints are */
 
 /* The work of one call. */
 typedef struct making {
@@ -109,7 +105,8 @@ static dm_result drop_flat_bodies(making* work) {
 }
 
 static dm_result find_bodies(making* work) {
-    const dmi_progress finding = dmi_progress_piece(work->desc->progress, MESH_DONE, BODIES_DONE);
+    const dmi_progress finding =
+        dmi_progress_piece(work->desc->progress, DMI_STAGE_BODIES_MESH_MEASURED, DMI_STAGE_BODIES_KNOWN);
     dmi_asset_models models;
     dm_result result = dmi_asset_models_load(work->env, dmi_asset_weights, dmi_asset_weights_size, &models);
     if (result != DM_OK) return result;
@@ -171,7 +168,8 @@ static dm_result describe_parts(making* work, dm_part_desc* out_parts) {
 
 static dm_result infer_joints(making* work) {
     const dmi_asset_desc* desc = work->desc;
-    const dmi_progress preparing = dmi_progress_piece(desc->progress, BODIES_DONE, JOINTS_DONE);
+    const dmi_progress preparing =
+        dmi_progress_piece(desc->progress, DMI_STAGE_BODIES_KNOWN, DMI_STAGE_BODIES_JOINTS_KNOWN);
     dm_part_desc* parts = dmi_arena_push(&work->arena, work->bodies.count * sizeof *parts);
     if (parts == NULL) return out_of_memory(work->env, desc->node_count);
     dm_result result = find_given(work);
@@ -197,13 +195,41 @@ static dm_result infer_joints(making* work) {
 
 /* ---- the order of the parts ---- */
 
+/* Orders the bodies by their first nodes, those of a probability of min_moves and more before the others. out_number:
+ * the place that each of them had before -> its place now. All memory comes from the arena. */
+static dm_result renumber_bodies(dmi_arena* arena, dmi_asset_bodies* bodies, uint32_t node_count, float min_moves,
+                                 uint32_t** out_number) {
+    const uint32_t count = bodies->count;
+    uint32_t* number = dmi_arena_push(arena, (count + 1) * sizeof *number);
+    dmi_asset_body* old = dmi_arena_push(arena, (count + 1) * sizeof *old);
+    if (number == NULL || old == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    memcpy(old, bodies->bodies, count * sizeof *old);
+    for (uint32_t i = 0; i < count; i++) number[i] = DMI_ASSET_BODY;
+    uint32_t next = 0;
+    for (int moving = 1; moving >= 0; moving--)
+        for (uint32_t n = 0; n < node_count; n++) {
+            const uint32_t body = bodies->body_of_node[n];
+            if (body == DMI_ASSET_BODY || number[body] != DMI_ASSET_BODY) continue;
+            if ((old[body].moves >= min_moves) == (moving == 1)) number[body] = next++;
+        }
+    for (uint32_t i = 0; i < count; i++) {
+        dmi_asset_body* body = &bodies->bodies[number[i]];
+        *body = old[i];
+        if (body->carrier != DMI_ASSET_BODY) body->carrier = number[body->carrier];
+    }
+    for (uint32_t n = 0; n < node_count; n++)
+        if (bodies->body_of_node[n] != DMI_ASSET_BODY) bodies->body_of_node[n] = number[bodies->body_of_node[n]];
+    *out_number = number;
+    return DM_OK;
+}
+
 /* Joints are inferred in the order in which the bodies are found, so that what a host is told last, their numbers,
  * changes no joint. */
 static dm_result order_bodies(making* work) {
     const uint32_t count = work->bodies.count;
     uint32_t *number = NULL, *given_node = dmi_arena_push(&work->arena, count * sizeof *given_node);
-    if (given_node == NULL || dmi_asset_bodies_order(&work->arena, &work->bodies, work->desc->node_count,
-                                                     work->desc->min_moves, &number) != DM_OK)
+    if (given_node == NULL ||
+        renumber_bodies(&work->arena, &work->bodies, work->desc->node_count, work->desc->min_moves, &number) != DM_OK)
         return out_of_memory(work->env, work->desc->node_count);
     for (uint32_t i = 0; i < count; i++) given_node[number[i]] = work->given_node[i];
     work->given_node = given_node;
@@ -312,7 +338,7 @@ static dm_result fill(making* work, dmi_asset* asset) {
 
 static dm_result make(making* work, dmi_asset* asset) {
     const dmi_asset_desc* desc = work->desc;
-    const dmi_progress measuring = dmi_progress_piece(desc->progress, 0, MESH_DONE);
+    const dmi_progress measuring = dmi_progress_piece(desc->progress, 0, DMI_STAGE_BODIES_MESH_MEASURED);
     const dm_mesh_desc mesh = dmi_asset_mesh_describe(desc->mesh);
     dm_result result =
         dmi_mesh_create_numbered(work->env, desc->axes, &mesh, desc->node_count, &measuring, &work->mesh);

@@ -4,7 +4,7 @@
 
 #include "assets/asset_grouping.h"
 #include "assets/asset_mesh.h"
-#include "assets/given_joints.h"
+#include "assets/body_hints.h"
 #include "kinematics/object/prepare.h"
 
 typedef struct dmi_asset_desc {

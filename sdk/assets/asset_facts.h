@@ -2,6 +2,8 @@
 #ifndef DMI_ASSETS_ASSET_FACTS_H
 #define DMI_ASSETS_ASSET_FACTS_H
 
+#include <stdint.h>
+
 #include "assets/node_cells.h"
 #include "assets/node_labels.h"
 
@@ -28,6 +30,15 @@ void dmi_sorted_extents(const float low[3], const float high[3], float out[3]);
 /* Returns the same as dmi_cell_count, for features. */
 static inline float dmi_cells_of(const dmi_node_cells* grid, uint32_t node) {
     return (float)dmi_cell_count(grid, node);
+}
+
+typedef struct dmi_row {
+    float* out;
+    uint32_t count;
+} dmi_row;
+
+static inline void dmi_put(dmi_row* row, float value) {
+    row->out[row->count++] = value;
 }
 
 #endif

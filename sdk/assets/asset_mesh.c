@@ -3,7 +3,7 @@
 
 #include <float.h>
 
-#include "base/kept.h"
+#include "base/env.h"
 #include "mesh/mesh_read.h"
 
 enum { COLUMN = 4, ORIGIN = 12 }; /* offsets in a transform of 16 numbers: from column to column; of the translation */

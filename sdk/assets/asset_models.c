@@ -1,7 +1,7 @@
 /* Loads the models that group an asset's nodes. */
 #include "assets/asset_models.h"
 
-#include "assets/set_context.h"
+#include "assets/set_ratings.h"
 
 #define PAIR_TREES 300
 #define SET_TREES 800

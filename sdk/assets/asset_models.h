@@ -2,6 +2,8 @@
 #ifndef DMI_ASSETS_ASSET_MODELS_H
 #define DMI_ASSETS_ASSET_MODELS_H
 
+#include <stddef.h>
+
 #include "math/elementary.h"
 #include "nn/tree_ensemble.h"
 
@@ -25,5 +27,8 @@ void dmi_asset_models_release(dmi_asset_models* models);
 static inline float dmi_probability(const dmi_tree_ensemble* ensemble, const float* row) {
     return 1 / (1 + dmi_expf(-dmi_tree_ensemble_score(ensemble, row)));
 }
+
+extern const unsigned char dmi_asset_weights[]; /* 64-byte aligned */
+extern const size_t dmi_asset_weights_size;     /* bytes */
 
 #endif

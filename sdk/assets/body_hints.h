@@ -1,8 +1,9 @@
-/* What the names and origins of an asset's nodes say of each body. */
+/* What the names, the origins and the joints of an asset's nodes say of each body. */
 #ifndef DMI_ASSETS_BODY_HINTS_H
 #define DMI_ASSETS_BODY_HINTS_H
 
 #include "assets/asset_grouping.h"
+#include "math/frames.h"
 
 /* Writes label and pivot of each body, from the nodes of the query, into its descriptor; they live in the arena of the
  * query. nodes: the host's, for their origins. */
@@ -11,5 +12,19 @@ dm_result dmi_asset_describe_bodies(dmi_env* env, const dmi_asset_query* query, 
 
 /* Returns whether a node has an origin and axes that may say something, and writes them. */
 bool dmi_asset_node_pivot(const dm_asset_node* node, dm_pivot* out_pivot);
+
+/* ---- joints that the asset states for its nodes ---- */
+
+/* What the asset states for a node. Zeros: nothing. */
+typedef struct dmi_asset_given {
+    int32_t basis;  /* DM_ASSET_FROM_*; DM_ASSET_INFERRED: nothing is stated */
+    float duration; /* s, of a clip's way; 0: none */
+    dm_joint joint; /* asset frame, source DM_JOINT_FROM_HOST; its type may be DM_JOINT_FIXED */
+} dmi_asset_given;
+
+/* Reads what the file states for each node. nodes: of this version, checked, with accepted joints. frame: of the mesh
+ * of all nodes. out_warnings: DM_ASSET_CLIP_LEFT_OUT. */
+void dmi_asset_read_given(const dm_asset_node* nodes, uint32_t count, bool use_clips, const dmi_frame* frame,
+                          dmi_asset_given* out_given, uint32_t* out_warnings);
 
 #endif

@@ -2,9 +2,19 @@
 #ifndef DMI_ASSETS_MERGE_TREE_H
 #define DMI_ASSETS_MERGE_TREE_H
 
+#include "assets/asset_facts.h"
 #include "assets/asset_models.h"
-#include "assets/pair_features.h"
 #include "assets/set_features.h"
+
+/* ---- numbers by which a pair of nodes is told to be one body ---- */
+
+#define DMI_PAIR_FEATURES 50
+
+/* Takes scratch from the arena, and rewinds it. The order of a and b does not count. */
+dm_result dmi_pair_features_make(dmi_arena* arena, const dmi_node_cells* grid, const dmi_asset_facts* facts, uint32_t a,
+                                 uint32_t b, float out[DMI_PAIR_FEATURES]);
+
+/* ---- tree ---- */
 
 typedef struct dmi_node_pair {
     uint32_t a, b;     /* a < b */

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "base/arena.h"
+#include "base/env.h"
 #include "kinematics/hints/part_kind.h"
 
 typedef struct dmi_asset_node dmi_asset_node;
@@ -37,5 +38,11 @@ dm_result dmi_node_labels_make(dmi_arena* arena, const dmi_asset_node* nodes, ui
 uint32_t dmi_units_of_group(const dmi_node_labels* labels, const uint32_t* units, uint32_t count);
 /* Returns whether unit a's node stands below unit b's. */
 bool dmi_unit_is_below(const dmi_node_labels* labels, uint32_t a, uint32_t b);
+
+/* ---- order of nodes: those above come first ---- */
+
+/* Writes all nodes, each after the one that above[node] names; DM_ASSET_NO_NODE: none. Returns DM_ASSET_NO_NODE, or a
+ * node that is above itself. done: a byte a node, scratch. */
+uint32_t dmi_asset_order_nodes(const uint32_t* above, uint32_t count, uint32_t* out_order, uint8_t* done);
 
 #endif

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "assets/feature_row.h"
+#include "assets/asset_facts.h"
 #include "assets/set_motions.h"
 #include "math/elementary.h"
 

@@ -4,7 +4,6 @@
 #define DMI_ASSETS_SET_OPENINGS_H
 
 #include "assets/asset_facts.h"
-#include "assets/feature_row.h"
 #include "assets/set_motions.h"
 
 #define DMI_OPENING_FEATURES 36

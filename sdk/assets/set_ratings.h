@@ -1,8 +1,20 @@
-/* How likely each set of a merge tree is a body that moves. */
+/* How likely each set of a merge tree is a body that moves, and what the other sets of the asset say of it: most assets
+ * have something that moves, and few have many unlike parts. */
 #ifndef DMI_ASSETS_SET_RATINGS_H
 #define DMI_ASSETS_SET_RATINGS_H
 
-#include "assets/set_context.h"
+#include "assets/merge_tree.h"
+
+/* ---- context ---- */
+
+#define DMI_CONTEXT_FEATURES 17
+
+/* Computes the numbers of all sets. links: of the tree's sets; moves: probability of each by its own features. All
+ * memory comes from the arena. */
+dm_result dmi_set_context_make(dmi_arena* arena, const dmi_merge_tree* tree, const dmi_set_links* links,
+                               const float* moves, float (*out)[DMI_CONTEXT_FEATURES]);
+
+/* ---- ratings ---- */
 
 #define DMI_RATED_FEATURES (DMI_SET_FEATURES + DMI_CONTEXT_FEATURES)
 

@@ -26,7 +26,23 @@ dmi_arena_mark dmi_arena_get_mark(const dmi_arena* arena);
 /* Frees what was pushed since the mark. The arena keeps the memory for later pushes: fresh pages of the host would cost
  * as much as filling them. */
 void dmi_arena_rewind(dmi_arena* arena, dmi_arena_mark mark);
-/* Gives all memory back: what the environment keeps serves other arenas (kept.h), the host gets the rest. */
+/* Gives all memory back: what the environment keeps serves other arenas, the host gets the rest. */
 void dmi_arena_release(dmi_arena* arena);
+
+/* ---- pool ---- */
+
+#define DMI_ARENA_POOL_SIZE 16 /* arenas; by hand. More tasks at once use memory of their own */
+
+typedef struct dmi_arena_pool {
+    dmi_arena arenas[DMI_ARENA_POOL_SIZE];
+    _Atomic uint32_t taken[DMI_ARENA_POOL_SIZE];
+} dmi_arena_pool;
+
+void dmi_arena_pool_init(dmi_arena_pool* pool, dmi_env* env, size_t block_size);
+/* Returns a free arena, or `own` (which must live until dmi_arena_pool_put) when none is left. Any thread; wait-free.
+ */
+dmi_arena* dmi_arena_pool_take(dmi_arena_pool* pool, dmi_arena* own);
+void dmi_arena_pool_put(dmi_arena_pool* pool, dmi_arena* arena);
+void dmi_arena_pool_release(dmi_arena_pool* pool);
 
 #endif

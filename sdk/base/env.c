@@ -1,4 +1,5 @@
-/* Allocator, log and jobs of a context: the host's hooks, or malloc, no log and a plain loop. */
+/* Allocator, log and jobs of a context: the host's hooks, or malloc, no log and a plain loop. Scratch memory comes out
+ * of its list of kept blocks or of the host. */
 #include "base/env.h"
 
 #include <stdarg.h>
@@ -179,4 +180,37 @@ dm_result dmi_parallel_for(dmi_env* env, uint32_t count, dm_task task, void* dat
     }
     for (uint32_t i = 0; run_inline && i < count; i++) task(data, i);
     return DM_OK;
+}
+
+/* ---- kept memory ---- */
+
+#define LEAST_KEPT 4096 /* bytes of a block worth keeping: a page */
+
+void* dmi_kept_take(dmi_env* env, size_t size, size_t* out_size) {
+    dmi_kept_block* block = env->kept.most > 0 ? dmi_kept_list_take(&env->kept, size) : NULL;
+    *out_size = block != NULL ? block->size : size;
+    return block != NULL ? block : dmi_alloc(env, size, DMI_ALIGNMENT);
+}
+
+void dmi_kept_give(dmi_env* env, void* memory, size_t size) {
+    if (memory == NULL) return;
+    if (size < LEAST_KEPT || size > env->kept.most)
+        dmi_free(env, memory, size);
+    else
+        dmi_free_blocks(env, dmi_kept_list_give(&env->kept, memory, size));
+}
+
+void* dmi_scratch_alloc(dmi_env* env, size_t size) {
+    if (size > SIZE_MAX / 4) return NULL; /* no sum below can overflow */
+    size_t taken;
+    char* block = dmi_kept_take(env, DMI_ALIGNMENT + size, &taken);
+    if (block == NULL) return NULL;
+    *(size_t*)(void*)block = taken;
+    return block + DMI_ALIGNMENT;
+}
+
+void dmi_scratch_free(dmi_env* env, void* memory) {
+    if (memory == NULL) return;
+    char* block = (char*)memory - DMI_ALIGNMENT;
+    dmi_kept_give(env, block, *(size_t*)(void*)block);
 }

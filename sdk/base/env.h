@@ -1,4 +1,5 @@
-/* The environment of a context: allocator, log and jobs of the host. */
+/* The environment of a context: allocator, log and jobs of the host, and scratch memory that stays from call to call,
+ * because fresh pages of the host cost as much as filling them. */
 #ifndef DMI_BASE_ENV_H
 #define DMI_BASE_ENV_H
 
@@ -16,7 +17,7 @@ typedef struct dmi_env {
     dm_jobs jobs;
     dm_progress_callback progress; /* hears of long calls; NULL: nobody asks */
     void* progress_user;
-    dmi_kept kept; /* scratch memory that waits for the next call (kept.h) */
+    dmi_kept kept; /* scratch memory that waits for the next call */
     _Atomic uint64_t bytes, peak_bytes, allocations, pick_bytes;
 } dmi_env;
 
@@ -40,5 +41,17 @@ dm_result dmi_fail(dmi_env* env, dm_result code, const char* format, ...) DMI_PR
 /* Runs task(data, i) for i in [0, count) on the host's jobs, or inline. count: DM_MAX_PARTS at most. INVALID_ARGUMENT
  * when the host's jobs left a task out or ran one twice, of which the second time does nothing. */
 dm_result dmi_parallel_for(dmi_env* env, uint32_t count, dm_task task, void* data);
+
+/* ---- kept memory ---- */
+
+/* Returns 64-byte aligned memory of at least `size` bytes, kept or of the host, not zeroed; NULL when there is none.
+ * out_size gets how large it is, to be told at dmi_kept_give. Any thread. */
+void* dmi_kept_take(dmi_env* env, size_t size, size_t* out_size);
+/* Keeps the memory within env->kept.most bytes, and gives what is left over to the host. Any thread. */
+void dmi_kept_give(dmi_env* env, void* memory, size_t size);
+
+/* Scratch of one call, of a size that need not be told again. NULL does nothing. */
+void* dmi_scratch_alloc(dmi_env* env, size_t size);
+void dmi_scratch_free(dmi_env* env, void* memory);
 
 #endif

@@ -4,6 +4,7 @@
 #define DMI_BASE_PROGRESS_H
 
 #include "base/env.h"
+#include "base/progress_stages.h"
 
 /* Elements (triangles, vertices) between two reports of a loop: some milliseconds of work each; measured. */
 #define DMI_PROGRESS_STEP ((uint32_t)1 << 16)

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "cglm/scalar_quat.h"
-#include "math/constants.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
 

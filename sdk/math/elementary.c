@@ -5,8 +5,6 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "math/constants.h"
-
 #define ROUNDER 6755399441055744.0 /* 1.5 * 2^52: adding it rounds to a whole number, held in the low bits */
 #define EXPONENT_BITS 52           /* place of a double's exponent */
 #define EXPONENT_BIAS 1023

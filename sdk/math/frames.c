@@ -15,7 +15,6 @@
 #include "cglm/scalar_quat.h"
 #include "math/joint.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 #define ORTHOGONALITY_TOLERANCE 1e-4f /* largest product of two columns that counts as 0; by hand */
 #define MIN_SIZE 1e-18    /* size of an object, metres or host units; by hand: its inverse square is a float */

@@ -4,10 +4,8 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "math/constants.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 float dmi_joint_open_end(const dm_joint* joint) {
     const float rest = dmi_joint_clamp(joint, 0);

@@ -6,7 +6,6 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "base/number_bounds.h"
 #include "math/dual_quat.h"
 #include "math/elementary.h"
 
@@ -64,5 +63,11 @@ static inline float dmi_joint_closed(const dm_joint* joint) {
 float dmi_joint_opened(const dm_joint* joint);
 /* Moves the origin along the axis line to the point nearest `centre`. */
 void dmi_joint_set_origin_near(dm_joint* joint, const float centre[3]);
+
+/* A drag that is evidence for a joint, in the object-normalised frame. */
+typedef struct dmi_drag_hint {
+    float point[3];
+    float vector[3]; /* non-zero */
+} dmi_drag_hint;
 
 #endif

@@ -19,6 +19,7 @@
 #include <string.h>
 
 #include "cglm/scalar_vec3.h"
+#include "dragmesh/dragmesh.h"
 
 /* Returns v as cglm's functions take it: none of their arguments is const, but they write to the last one alone. */
 static inline float* dmi_glm(const float* v) {
@@ -130,6 +131,34 @@ static inline void dmi_turn3(const float axis[3], const float origin[3], float c
     glm_vec3_muladds(c, sine, sum);
     glm_vec3_muladds(dmi_glm(axis), along, sum);
     dmi_copy3(sum, out);
+}
+
+/* ---- conversions between the host's dm_vec3 and the arrays that the rooms compute with, and the only place for them
+ * ---- */
+
+/* An array by value: &p.x is the address of one float, and compilers warn when three are read through it. */
+typedef struct dmi_float3 {
+    float v[3];
+} dmi_float3;
+
+typedef struct dmi_double3 {
+    double v[3];
+} dmi_double3;
+
+static inline dmi_float3 dmi_xyz(dm_vec3 p) {
+    return (dmi_float3){{p.x, p.y, p.z}};
+}
+
+static inline dmi_double3 dmi_xyz_f64(dm_vec3 p) {
+    return (dmi_double3){{(double)p.x, (double)p.y, (double)p.z}};
+}
+
+static inline dm_vec3 dmi_vec3(const float v[3]) {
+    return (dm_vec3){v[0], v[1], v[2]};
+}
+
+static inline dm_vec3 dmi_vec3_f64(const double v[3]) {
+    return (dm_vec3){(float)v[0], (float)v[1], (float)v[2]};
 }
 
 #endif

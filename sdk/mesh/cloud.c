@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "base/kept.h"
+#include "base/env.h"
 #include "base/random.h"
 #include "math/linear3.h"
 

@@ -15,10 +15,6 @@
 #define MIN_CELL 1e-6f       /* side of a grid cell, object sizes: indices fit 32 bits */
 #define MAX_FACES_AT_EDGE 32 /* compared at one edge; by hand, real edges have two */
 
-/* Shares of the work, when edges are counted and sorted; measured. */
-#define COUNTED 0.2f
-#define SORTED 0.6f
-
 static dm_result out_of_memory(const dmi_arena* arena, const dmi_mesh* mesh) {
     return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to connect %u triangles", mesh->face_count);
 }
@@ -201,8 +197,9 @@ static bool edge_of(const dmi_mesh* mesh, const uint32_t* welded, uint32_t face,
  */
 static dm_result sort_edges(const dmi_mesh* mesh, const uint32_t* welded, const uint8_t* select,
                             const dmi_progress* progress, edges* edges) {
-    const dmi_progress counting = dmi_progress_piece(progress, 0, COUNTED),
-                       filling = dmi_progress_piece(progress, COUNTED, SORTED);
+    const dmi_progress counting = dmi_progress_piece(progress, 0, DMI_STAGE_REGIONS_EDGES_COUNTED),
+                       filling = dmi_progress_piece(progress, DMI_STAGE_REGIONS_EDGES_COUNTED,
+                                                    DMI_STAGE_REGIONS_EDGES_SORTED);
     uint32_t low, high;
     memset(edges->first, 0, ((size_t)mesh->vertex_count + 2) * sizeof(uint32_t));
     for (uint32_t f = 0; f < mesh->face_count; f++) {
@@ -242,7 +239,7 @@ static bool is_smooth(const dmi_mesh* mesh, uint32_t a, uint32_t b, float min_co
 
 static dm_result unite_over_edges(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, const uint8_t* select,
                                   float min_cosine, const dmi_progress* progress, uint32_t* parents) {
-    const dmi_progress uniting = dmi_progress_piece(progress, SORTED, 1);
+    const dmi_progress uniting = dmi_progress_piece(progress, DMI_STAGE_REGIONS_EDGES_SORTED, 1);
     edges edges;
     dm_result result = allocate_edges(arena, mesh, &edges);
     if (result == DM_OK) result = sort_edges(mesh, welded, select, progress, &edges);
@@ -329,7 +326,7 @@ static void unite_at_edge(const dmi_mesh* mesh, const uint32_t* welded, const ed
 
 static dm_result label_sheets(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, const sheet_rule* rule,
                               const dmi_progress* progress, uint32_t* out_labels, uint32_t* out_count) {
-    const dmi_progress uniting = dmi_progress_piece(progress, SORTED, 1);
+    const dmi_progress uniting = dmi_progress_piece(progress, DMI_STAGE_REGIONS_EDGES_SORTED, 1);
     edges edges;
     uint8_t* all = dmi_arena_push(arena, mesh->face_count);
     if (all == NULL) return out_of_memory(arena, mesh);

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/kept.h"
+#include "base/env.h"
 #include "mesh/mesh_parts.h"
 #include "mesh/mesh_read.h"
 
@@ -15,7 +15,6 @@
 #define POSITION_PADDING 16
 /* Normalised coordinates are rounded to 3e-8: a triangle of less height has no area and no direction. */
 #define SLIVER_HEIGHT 1e-7
-#define FACES_DONE 0.7f /* share of measuring, when the faces are measured; measured */
 
 /* ---- memory ---- */
 
@@ -241,7 +240,7 @@ dm_result dmi_mesh_measure_parts(dmi_env* env, dmi_mesh* mesh) {
 }
 
 dm_result dmi_mesh_measure(dmi_env* env, const dmi_progress* progress, dmi_mesh* mesh) {
-    const dmi_progress faces = dmi_progress_piece(progress, 0, FACES_DONE);
+    const dmi_progress faces = dmi_progress_piece(progress, 0, DMI_STAGE_MEASURE_FACES_DONE);
     dm_result result = measure_faces(&faces, mesh);
     if (result == DM_OK) result = dmi_mesh_measure_parts(env, mesh);
     return result == DM_OK ? check_areas(env, mesh) : result;

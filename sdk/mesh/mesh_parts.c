@@ -1,9 +1,12 @@
-/* Makes parts of the part ids of vertices or faces: those of the host's list, or every id that occurs. */
+/* Makes parts of the part ids of vertices or faces: those of the host's list, or every id that occurs. Looks parts up
+ * by id and by what carries them. */
 #include "mesh/mesh_parts.h"
 
 #include <string.h>
 
-#include "base/kept.h"
+#include "base/env.h"
+#include "base/ids.h"
+#include "mesh/mesh_data.h"
 
 /* Entries of the set of ids, which is at most half full with DM_MAX_PARTS ids. */
 #define ID_SET_SIZE (2 * DM_MAX_PARTS)
@@ -246,4 +249,13 @@ dm_result dmi_mesh_assign_numbered(dmi_env* env, const dmi_mesh_reader* reader, 
         mesh->parts[mesh->face_part[f]].face_count++;
     }
     return DM_OK;
+}
+
+int32_t dmi_mesh_find_part(const dmi_mesh* mesh, uint32_t id) {
+    return dmi_find_id(&mesh->parts->id, sizeof *mesh->parts, mesh->part_count, id);
+}
+
+int dmi_mesh_moves_with(const dmi_mesh* mesh, uint32_t index, uint32_t ancestor) {
+    while (index != ancestor && index != 0) index = mesh->parts[index].parent;
+    return index == ancestor;
 }

@@ -11,7 +11,6 @@
 #define OWNER_SHARE 0.6f    /* share of a piece's area that makes the piece its owner's */
 #define MAX_AREA_LOSS 0.4f  /* share of a part's area */
 #define MAX_FACE_LOSS 0.12f /* share of a part's triangles */
-#define FIRST_VOTE 0.5f     /* share of the work, when the first vote is over */
 #define SMOOTH_COSINE 0.95f /* cosine between the normals of two faces of a smooth region, 18 degrees */
 
 /* The pieces of the surface and their owners. */
@@ -107,8 +106,8 @@ static dm_result find_seam(dmi_arena* arena, const dmi_mesh* mesh, const uint32_
 
 /* Votes by sheets, which a modeller makes in one operation, then by smooth regions within them. */
 static dm_result vote_twice(dmi_arena* arena, const uint32_t* welded, const dmi_progress* progress, dmi_mesh* mesh) {
-    const dmi_progress first = dmi_progress_piece(progress, 0, FIRST_VOTE),
-                       second = dmi_progress_piece(progress, FIRST_VOTE, 1);
+    const dmi_progress first = dmi_progress_piece(progress, 0, DMI_STAGE_REPAIR_FIRST_VOTE),
+                       second = dmi_progress_piece(progress, DMI_STAGE_REPAIR_FIRST_VOTE, 1);
     uint32_t count;
     uint32_t* labels = dmi_arena_push(arena, mesh->face_count * sizeof *labels);
     uint8_t* all = dmi_arena_push(arena, mesh->face_count);

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "base/kept.h"
+#include "base/env.h"
 
 /* Faces on their way into a packed mesh. */
 typedef struct packing {

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/linear3.h"
+
 #define SAME_SPOT 0.01    /* diagonals of a node's box between its pivot and the place of a rule; by hand */
 #define SAME_SIDE 1e-3    /* share of the largest side, between copies of one mesh; by hand: rounding alone */
 #define LEAST_VOLUME 1e-3 /* diagonals cubed, from which faces enclose something; by hand */
@@ -208,4 +210,33 @@ bool dmi_part_pivots_follow_rule(const dmi_pivot_witness* parts, uint32_t count)
     for (int rule = 0; rule < RULE_POINT; rule++)
         if ((rules >> rule & 1) && (is_central(rule) || stretch_differs)) return true;
     return false;
+}
+
+/* ---- pivots of parts ---- */
+
+static void begin(const dmi_frame* frame, const dm_pivot* pivot, dmi_pivot_gauge* out) {
+    float origin[3], axes[9];
+    dmi_frame_point_in(frame, dmi_xyz_f64(pivot->origin).v, origin);
+    for (int i = 0; i < 9; i += 3) dmi_frame_direction_in(frame, pivot->axes + i, axes + i);
+    dmi_pivot_gauge_begin((const double[]){(double)origin[0], (double)origin[1], (double)origin[2]}, axes, out);
+}
+
+static void read_corners(const dmi_mesh* mesh, uint32_t face, double out[3][3]) {
+    for (size_t i = 0; i < 3; i++)
+        for (size_t k = 0; k < 3; k++)
+            out[i][k] = (double)mesh->positions[3 * (size_t)mesh->indices[3 * (size_t)face + i] + k];
+}
+
+void dmi_part_pivots_measure(const dmi_mesh* mesh, const dm_pivot* const* pivots, dmi_pivot_gauge* scratch,
+                             dmi_pivot_witness* out) {
+    for (uint32_t i = 0; i < mesh->part_count; i++)
+        if (pivots[i] != NULL) begin(&mesh->frame, pivots[i], &scratch[i]);
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        double corners[3][3];
+        if (pivots[mesh->face_part[f]] == NULL) continue;
+        read_corners(mesh, f, corners);
+        dmi_pivot_gauge_add_face(&scratch[mesh->face_part[f]], (const double(*)[3])corners);
+    }
+    for (uint32_t i = 0; i < mesh->part_count; i++)
+        out[i] = pivots[i] != NULL ? dmi_pivot_gauge_finish(&scratch[i]) : (dmi_pivot_witness){.rules = 0};
 }

@@ -1,10 +1,13 @@
 /* Whether the pivots of an asset's nodes follow one rule, as programs set them that nobody told where a part turns: all
- * in the middle of their boxes, at their lowest corners, at one point of the scene. Such a pivot says nothing. */
+ * in the middle of their boxes, at their lowest corners, at one point of the scene. Such a pivot says nothing. The
+ * parts of a mesh are measured about their pivots for that. */
 #ifndef DMI_MESH_PIVOT_RULE_H
 #define DMI_MESH_PIVOT_RULE_H
 
 #include <stdbool.h>
 #include <stdint.h>
+
+#include "mesh/mesh_data.h"
 
 /* Places of a box on which each coordinate is at the low end, in the middle or at the high end. */
 #define DMI_BOX_PLACES 27
@@ -51,5 +54,11 @@ void dmi_pivots_judge(const dmi_pivot_witness* nodes, uint32_t count, dmi_pivot_
  * more of different shapes, and, where the rule is an edge or corner, in boxes that stretch different ways. Doors of
  * one row have their hinges on the same edge. */
 bool dmi_part_pivots_follow_rule(const dmi_pivot_witness* parts, uint32_t count);
+
+/* ---- pivots of parts ---- */
+
+/* pivots: one a part of the mesh, host frame; NULL: it has none, and does not count. scratch: one a part. */
+void dmi_part_pivots_measure(const dmi_mesh* mesh, const dm_pivot* const* pivots, dmi_pivot_gauge* scratch,
+                             dmi_pivot_witness* out);
 
 #endif

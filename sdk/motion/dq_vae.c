@@ -8,7 +8,7 @@
 
 #include "base/random.h"
 #include "math/elementary.h"
-#include "math/vec3.h"
+#include "math/linear3.h"
 #include "motion/dq_vae_net.h"
 
 #define BLOCK_SIZE ((size_t)256 * 1024) /* bytes of an arena block; by hand */

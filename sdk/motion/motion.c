@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "math/constants.h"
+#include "math/elementary.h"
 
 #define HALF_OBJECT 0.5f /* inner units, the object's largest side is 1: default travel of a slide without limits */
 #define LAST (DM_MOTION_FRAMES - 1)

@@ -5,11 +5,9 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "math/constants.h"
 #include "math/elementary.h"
 #include "math/joint.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 #define SCALAR_LIMIT 4.0f /* bound of the joint's scalars, as trained (docs/networks.md) */
 #define MIN_TORQUE 1e-8f  /* length of lever x drag below which there is no direction, as trained */

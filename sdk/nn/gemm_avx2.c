@@ -1,5 +1,5 @@
 /* Matrix product with AVX2 and FMA: tiles of rows x panels whose sums stay in twelve registers. */
-#include "nn/gemm.h"
+#include "nn/kernels.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>

@@ -1,5 +1,5 @@
 /* Matrix product on AVX-512: as gemm_avx2.c, with a panel in one register and sixteen sums a tile. */
-#include "nn/gemm.h"
+#include "nn/kernels.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>

@@ -1,5 +1,5 @@
 /* Matrix product on NEON: as gemm_avx2.c, with a panel in four registers and twenty-four sums a tile. */
-#include "nn/gemm.h"
+#include "nn/kernels.h"
 
 #if defined(__aarch64__)
 #include <arm_neon.h>

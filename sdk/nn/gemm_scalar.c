@@ -1,5 +1,5 @@
 /* Matrix product in plain C: the fallback, and the reference of the other kernels' tests. Also the packing. */
-#include "nn/gemm.h"
+#include "nn/kernels.h"
 
 #include <string.h>
 

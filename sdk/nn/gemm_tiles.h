@@ -9,7 +9,7 @@
 #define DMI_NN_GEMM_TILES_H
 
 #include "base/compiler.h"
-#include "nn/gemm.h"
+#include "nn/kernels.h"
 
 #define TARGET_INLINE TARGET DMI_ALWAYS_INLINE static inline
 #define TILE (TILE_ROWS * TILE_PANELS) /* most rows x panels of a tile */

@@ -3,6 +3,8 @@
 #ifndef DMI_PICK_BOX_SPLIT_H
 #define DMI_PICK_BOX_SPLIT_H
 
+#include <stdint.h>
+
 #include "base/progress.h"
 
 /* The fourth floats are there for vector code: it may read and compare them, and what they hold does not count. */
@@ -41,6 +43,21 @@ uint32_t dmi_box_split_up(dmi_box_item* items, uint32_t block, dmi_box_splits ho
 static inline float dmi_box_area(const dmi_box* box) {
     const float x = box->high[0] - box->low[0], y = box->high[1] - box->low[1], z = box->high[2] - box->low[2];
     return x * y + y * z + z * x;
+}
+
+#define DMI_WIDE 8           /* children of a node: one register of AVX2 */
+#define DMI_LEAF 0x80000000u /* flag of a reference: the rest is the index of a leaf, else of a node */
+
+typedef struct dmi_wide_node {
+    _Alignas(32) float planes[6][DMI_WIDE]; /* low x, y, z, high x, y, z; unused children: inside out */
+    uint32_t child[DMI_WIDE];               /* references; unused children: 0 */
+} dmi_wide_node;
+
+static inline void dmi_wide_node_set_box(dmi_wide_node* node, uint32_t slot, const dmi_box* box) {
+    for (int k = 0; k < 3; k++) {
+        node->planes[k][slot] = box->low[k];
+        node->planes[3 + k][slot] = box->high[k];
+    }
 }
 
 #endif

@@ -1,8 +1,21 @@
-/* The trees of an object, as the scene uses them. */
+/* The backend of a context and what it keeps; the trees of an object, as the scene uses them. */
 #ifndef DMI_PICK_BVH_H
 #define DMI_PICK_BVH_H
 
-#include "pick/picker.h"
+#include "pick/backend.h"
+#include "pick/pick.h"
+
+/* ---- the backend of a context ---- */
+
+struct dmi_picker {
+    dmi_env* env;
+    const dmi_pick_backend* backend; /* NULL: this context picks nothing */
+    void* device;
+    int32_t choice;              /* DM_PICK_*, of the host */
+    char why[DMI_PICK_WHY_SIZE]; /* it picks nothing */
+};
+
+/* ---- trees ---- */
 
 typedef struct dmi_bvh_part {
     uint32_t id; /* the host's */

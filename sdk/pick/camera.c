@@ -5,9 +5,8 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "math/constants.h"
 #include "math/elementary.h"
-#include "math/vec3.h"
+#include "math/linear3.h"
 
 #define MIN_SINE 1e-4 /* least sine of the angle between forward and up; by hand */
 

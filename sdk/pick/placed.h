@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "math/vec3.h"
+#include "math/linear3.h"
 #include "pick/bvh.h"
 #include "pick/top_tree.h"
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/cpu.h"
-#include "math/vec3.h"
+#include "math/linear3.h"
 #include "pick/placed.h"
 
 #define FIRST_CAPACITY 16 /* instances; doubles when full */

@@ -6,7 +6,6 @@
 
 #include "base/env.h"
 #include "pick/box_split.h"
-#include "pick/wide_node.h"
 
 #define DMI_TOP_NONE 0xffffffffu
 /* Levels of nodes of a settled tree. The builder halves ranges from DMI_TOP_FREE_LEVELS on; the rest is for those of

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/kept.h"
+#include "base/env.h"
 #include "pick/lanes.h"
 #include "pick/wide_tree.h"
 

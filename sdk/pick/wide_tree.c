@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/kept.h"
+#include "base/env.h"
 #include "pick/box_split.h"
 
 /* Ranges that wait at once: up to DMI_WIDE from each level. */

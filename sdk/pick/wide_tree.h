@@ -4,7 +4,7 @@
 
 #include "base/cpu.h"
 #include "pick/backend.h"
-#include "pick/wide_node.h"
+#include "pick/box_split.h"
 
 #define DMI_BLOCK 4 /* triangles of a leaf: one register of SSE or NEON */
 /* Levels of nodes. The builder halves ranges from DMI_FREE_LEVELS on, and 2^32 triangles can be halved 32 times. */

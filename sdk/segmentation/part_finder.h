@@ -2,7 +2,17 @@
 #ifndef DMI_SEGMENTATION_PART_FINDER_H
 #define DMI_SEGMENTATION_PART_FINDER_H
 
+#include "base/progress.h"
 #include "mesh/mesh.h"
+
+/* ---- nearest face ---- */
+
+/* Finds the face closest to the point (object-normalised); of equals, the lowest. progress: may be NULL; with one,
+ * CANCELLED. */
+dm_result dmi_mesh_nearest_face(const dmi_mesh* mesh, const float point[3], const dmi_progress* progress,
+                                uint32_t* out_face);
+
+/* ---- search ---- */
 
 typedef struct dmi_part_query {
     const dmi_mesh* mesh; /* made by dmi_mesh_create_pieces: its parts, when there are several, are rigid pieces */

@@ -3,6 +3,8 @@
 #ifndef DMI_SEGMENTATION_PART_NETWORKS_H
 #define DMI_SEGMENTATION_PART_NETWORKS_H
 
+#include <stddef.h>
+
 #include "nn/perceptron.h"
 
 #define DMI_PART_FINDER_ARCHITECTURE "dragmesh-part-finder" /* name in the weights file */
@@ -20,5 +22,8 @@ void dmi_part_choice_read(dmi_loader* loader, dmi_perceptron* out);
 /* Applies either network to `count` dense rows of features. */
 void dmi_part_network_apply(const dmi_perceptron* network, dmi_isa isa, const float* features, uint32_t count,
                             float* out);
+
+extern const unsigned char dmi_part_finder_weights[]; /* 64-byte aligned */
+extern const size_t dmi_part_finder_weights_size;     /* bytes */
 
 #endif

@@ -14,13 +14,6 @@
 #define SHELLS_ONLY (-2)            /* cosine that makes dmi_face_regions connect over vertices */
 #define NO_BYTE 0xff                /* memset value that makes every uint32_t DMI_PIECE_NONE */
 
-/* Shares of the work, when vertices are welded and sheets are found, when the sheet is cut, and when pieces have their
- * samples; measured. */
-#define WELDED 0.3f
-#define SHEETS_FOUND 0.8f
-#define SHEET_CUT 0.5f
-#define SAMPLED 0.8f
-
 typedef struct piece_area {
     float area;
     uint32_t piece;
@@ -33,9 +26,9 @@ static dm_result out_of_memory(const dmi_arena* arena, const dmi_mesh* mesh) {
 
 dm_result dmi_mesh_sheets_make(dmi_arena* arena, const dmi_mesh* mesh, const dmi_progress* progress,
                                dmi_mesh_sheets* out) {
-    const dmi_progress welding = dmi_progress_piece(progress, 0, WELDED),
-                       uniting = dmi_progress_piece(progress, WELDED, SHEETS_FOUND),
-                       joining = dmi_progress_piece(progress, SHEETS_FOUND, 1);
+    const dmi_progress welding = dmi_progress_piece(progress, 0, DMI_STAGE_SHEETS_WELDED),
+                       uniting = dmi_progress_piece(progress, DMI_STAGE_SHEETS_WELDED, DMI_STAGE_SHEETS_FOUND),
+                       joining = dmi_progress_piece(progress, DMI_STAGE_SHEETS_FOUND, 1);
     uint32_t shell_count;
     *out = (dmi_mesh_sheets){.mesh = mesh};
     out->welded = dmi_arena_push(arena, mesh->vertex_count * sizeof *out->welded);
@@ -103,8 +96,8 @@ static dm_result find_repeats(dmi_arena* arena, dmi_piece_level* level) {
 
 dm_result dmi_piece_level_make(dmi_arena* arena, const dmi_mesh_sheets* sheets, uint32_t cut,
                                const dmi_progress* progress, dmi_piece_level* out) {
-    const dmi_progress cutting = dmi_progress_piece(progress, 0, SHEET_CUT),
-                       sampling = dmi_progress_piece(progress, SHEET_CUT, 1);
+    const dmi_progress cutting = dmi_progress_piece(progress, 0, DMI_STAGE_LEVEL_SHEET_CUT),
+                       sampling = dmi_progress_piece(progress, DMI_STAGE_LEVEL_SHEET_CUT, 1);
     const uint32_t face_count = sheets->mesh->face_count;
     uint32_t count = sheets->count;
     *out = (dmi_piece_level){.sheet_is_cut = cut != DMI_PIECE_NONE};
@@ -116,7 +109,7 @@ dm_result dmi_piece_level_make(dmi_arena* arena, const dmi_mesh_sheets* sheets, 
     if (result == DM_OK) result = dmi_progress_tell(&sampling, 0);
     if (result == DM_OK) result = dmi_pieces_make(arena, sheets->mesh, labels, count, &out->pieces);
     if (result != DM_OK) return result;
-    result = dmi_progress_tell(&sampling, SAMPLED);
+    result = dmi_progress_tell(&sampling, DMI_STAGE_LEVEL_SAMPLED);
     if (result != DM_OK) return result;
     out->sheets = dmi_arena_push(arena, count * sizeof *out->sheets);
     out->shells = dmi_arena_push(arena, count * sizeof *out->shells);

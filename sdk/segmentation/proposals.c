@@ -19,12 +19,6 @@
 #define RATING_WORK 16        /* work of rating one neighbour, in the time of samples visited; measured */
 #define MAX_REGIONS 2000      /* smooth regions of the cut sheet beyond which it is not grown, for time; by hand */
 
-/* Shares of the work, when each level is made and its region grown; by hand. */
-#define WHOLE_MADE 0.3f
-#define WHOLE_GROWN 0.4f
-#define CUT_MADE 0.8f
-#define CUT_GROWN 0.9f
-
 /* A growth network and how to run it. */
 typedef struct rater {
     const dmi_perceptron* network;
@@ -151,10 +145,13 @@ static dm_result grow(dmi_arena* arena, const dmi_piece_level* level, const dmi_
 dm_result dmi_proposals_make(dmi_arena* arena, const dmi_mesh_sheets* sheets, const dmi_grab* grab,
                              const dmi_perceptron* growth_network, dmi_isa isa, const dmi_progress* progress,
                              dmi_proposals* out) {
-    const dmi_progress whole = dmi_progress_piece(progress, 0, WHOLE_MADE),
-                       growing = dmi_progress_piece(progress, WHOLE_MADE, WHOLE_GROWN),
-                       cutting = dmi_progress_piece(progress, WHOLE_GROWN, CUT_MADE),
-                       growing_cut = dmi_progress_piece(progress, CUT_MADE, CUT_GROWN);
+    const dmi_progress whole = dmi_progress_piece(progress, 0, DMI_STAGE_PROPOSE_WHOLE_MADE),
+                       growing =
+                           dmi_progress_piece(progress, DMI_STAGE_PROPOSE_WHOLE_MADE, DMI_STAGE_PROPOSE_WHOLE_GROWN),
+                       cutting =
+                           dmi_progress_piece(progress, DMI_STAGE_PROPOSE_WHOLE_GROWN, DMI_STAGE_PROPOSE_CUT_MADE),
+                       growing_cut =
+                           dmi_progress_piece(progress, DMI_STAGE_PROPOSE_CUT_MADE, DMI_STAGE_PROPOSE_CUT_GROWN);
     const rater rater = {growth_network, isa};
     out->count = 0;
     const uint32_t grabbed = sheets->labels[grab->face];
@@ -165,6 +162,6 @@ dm_result dmi_proposals_make(dmi_arena* arena, const dmi_mesh_sheets* sheets, co
     const uint32_t pieces = out->levels[1].pieces.count;
     if (pieces > 0 && pieces - sheets->count <= MAX_REGIONS)
         result = grow(arena, &out->levels[1], grab, &rater, &growing_cut, out);
-    if (result == DM_OK) result = dmi_progress_tell(progress, CUT_GROWN);
+    if (result == DM_OK) result = dmi_progress_tell(progress, DMI_STAGE_PROPOSE_CUT_GROWN);
     return result == DM_OK ? dmi_proposals_measure(arena, grab, out) : result;
 }

@@ -5,6 +5,20 @@
 
 #include "segmentation/pieces.h"
 
+/* ---- kinds of contacts ---- */
+
+typedef struct dmi_contact_kind {
+    bool flush, stacked;  /* parallel faces: coplanar, or one above the other */
+    bool concave, convex; /* each sample lies before the other's plane, or each behind it */
+    bool ahead, behind;   /* stacked, and the first sample lies ahead of the other along the drag, or behind it */
+} dmi_contact_kind;
+
+/* Classifies the contact of `sample` with another piece's sample. drag: unit, or zeros: none. */
+dmi_contact_kind dmi_contact_classify(const dmi_pieces* pieces, const dmi_piece_sample* sample,
+                                      const dmi_piece_contact* contact, const float drag[3]);
+
+/* ---- contacts of a region ---- */
+
 /* Contacts of a piece outside the region, in numbers of samples. */
 typedef struct dmi_neighbour_contacts {
     uint32_t with_region, with_others; /* the piece's samples in contact with the region, with another piece outside */

@@ -11,7 +11,7 @@
 #include "kinematics/inference/joint_models.h"
 #include "kinematics/object/prepare.h"
 #include "mesh/connectivity.h"
-#include "pick/picker.h"
+#include "pick/bvh.h"
 #include "support.h"
 #include "test_bvh.h"
 

@@ -10,8 +10,8 @@
 
 #include "../include/test_shapes.h"
 #include "../include/test_snapshot.h"
-#include "base/number_bounds.h"
 #include "expect.h"
+#include "math/elementary.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 

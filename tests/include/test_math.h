@@ -12,7 +12,7 @@
 
 #include "base/random.h"
 #include "math/joint.h"
-#include "math/vec3.h"
+#include "math/linear3.h"
 
 static inline float test_range(dmi_random* random, float low, float high) {
     return low + (high - low) * dmi_random_unit(random);

@@ -6,7 +6,7 @@
 
 #include "test_math.h"
 
-#include "motion/drag.h"
+#include "drag/drag.h"
 
 static const dm_joint test_slide = {.type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .lower = 0, .upper = 1};
 

@@ -1,7 +1,7 @@
 /* Arena and pool: alignment, no overlap, reuse of blocks, no leak whichever allocation fails. */
 #include "test_env.h"
 
-#include "base/arena_pool.h"
+#include "base/arena.h"
 
 static void pieces_are_aligned_and_apart(void** state) {
     (void)state;

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "assets/asset_grouping.h"
-#include "assets/asset_weights.h"
+#include "assets/asset_models.h"
 #include "assets/node_cells.h"
 #include "assets/set_openings.h"
 #include "assets/set_ratings.h"

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-#include "motion/drag.h"
-#include "motion/hand_likelihood.h"
+#include "drag/drag.h"
+#include "drag/joint_hypothesis.h"
 
 #define FRAME (1.0f / 60)
 

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
+#include "drag/drag.h"
 #include "math/frames.h"
-#include "motion/drag.h"
 
 enum { CASES = 400 };
 #define PI 3.14159265358979f

@@ -1,7 +1,7 @@
 /* Words of a drag that meet: rules with releases, limits with bounds, one hand after another. */
 #include "test_rules.h"
 
-#include "motion/part_links.h"
+#include "drag/part_links.h"
 
 #define FRAME (1.0f / 60)
 

@@ -2,7 +2,7 @@
  */
 #include "test_math.h"
 
-#include "motion/drag.h"
+#include "drag/drag.h"
 
 #define FRAME (1.0f / 60)
 

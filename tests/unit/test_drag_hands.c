@@ -1,7 +1,7 @@
 /* Hands other than one pointer: in space, scalars, two of them, and a value that the host takes instead. */
 #include "test_rules.h"
 
-#include "motion/drag_internal.h"
+#include "drag/drag_internal.h"
 
 #define TURN 1.2f
 

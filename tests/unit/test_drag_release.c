@@ -1,7 +1,7 @@
 /* Released parts: what was meant, no jump of place or speed on the way there, the same at any frame rate. */
 #include "test_math.h"
 
-#include "motion/drag.h"
+#include "drag/drag.h"
 
 #define FRAME (1.0f / 60)
 

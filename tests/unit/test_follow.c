@@ -1,8 +1,7 @@
 /* The joint value nearest to a ray or to a hand in space, against a search in small steps and in doubles. */
 #include "test_math.h"
 
-#include "motion/follow.h"
-#include "motion/follow_point.h"
+#include "drag/follow.h"
 
 enum { CASES = 600 };
 

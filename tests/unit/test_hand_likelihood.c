@@ -3,8 +3,8 @@
 
 #include <string.h>
 
+#include "drag/joint_hypothesis.h"
 #include "math/linear3.h"
-#include "motion/hand_likelihood.h"
 
 static const float handle[3] = {0.3f, 0.3f, 0};
 static const dm_joint drawer = {.type = DM_JOINT_PRISMATIC, .axis = {1, 0, 0}, .upper = 0.6f};

@@ -3,7 +3,7 @@
 
 #include "test_analysis.h"
 
-#include "kinematics/candidates/opened_part.h"
+#include "kinematics/candidates/twist.h"
 #include "kinematics/inference/hypothesis_selection.h"
 
 #define TURNS 6

@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "drag/drag.h"
+#include "drag/joint_hypothesis.h"
 #include "math/frames.h"
 #include "math/linear3.h"
-#include "motion/drag.h"
-#include "motion/hand_likelihood.h"
 
 #define FRAME (1.0f / 60)
 

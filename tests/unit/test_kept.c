@@ -2,7 +2,7 @@
 #include <pthread.h>
 
 #include "base/arena.h"
-#include "base/kept.h"
+#include "base/env.h"
 #include "test_env.h"
 #include "test_world.h"
 

@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "math/linear3.h"
-#include "math/vec3.h"
 #include "test_world.h"
 
 static const float no_axes[9];

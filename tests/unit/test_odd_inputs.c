@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "math/vec3.h"
+#include "math/linear3.h"
 #include "test_odd.h"
 #include "test_snapshot.h"
 #include "test_world.h"

@@ -1,7 +1,7 @@
 /* Links between parts: order, cycles, both ways, limits, what is held. */
 #include "test_math.h"
 
-#include "motion/part_links.h"
+#include "drag/part_links.h"
 
 enum { PARTS = 5 };
 

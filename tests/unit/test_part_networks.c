@@ -5,7 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "segmentation/part_finder_weights.h"
 #include "segmentation/part_networks.h"
 #include "segmentation/proposals.h"
 #include "segmentation/region_growing.h"

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "base/random.h"
-#include "math/vec3.h"
+#include "math/linear3.h"
 #include "mesh/mesh.h"
 #include "pick/pick.h"
 #include "test_bvh.h"

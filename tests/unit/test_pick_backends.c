@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "base/random.h"
-#include "math/vec3.h"
+#include "math/linear3.h"
 #include "pick/bvh.h"
 #include "pick/placed.h"
 #include "pick/wide_tree.h"

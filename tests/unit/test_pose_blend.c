@@ -1,7 +1,7 @@
 /* From one joint to another: the grabbed point goes straight to where the new one has it, the part turns after it. */
 #include "test_math.h"
 
-#include "motion/pose_blend.h"
+#include "drag/pose_blend.h"
 
 enum { CASES = 500, FRAMES = 60 };
 #define FRAME (1.0f / 60)

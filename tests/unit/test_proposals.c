@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "segmentation/contact_kind.h"
 #include "segmentation/proposal_features.h"
+#include "segmentation/region_contacts.h"
 #include "segmentation/region_growing.h"
 #include "segmentation/remaining_components.h"
 #include "test_perceptron.h"

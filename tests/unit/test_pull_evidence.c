@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "base/random.h"
-#include "motion/hand_likelihood.h"
-#include "motion/pull_evidence.h"
+#include "drag/hypothesis_tracker.h"
+#include "drag/joint_hypothesis.h"
 
 enum { PART = 77, RANKED = 3 };
 

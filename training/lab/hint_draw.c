@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 #define MAX_LABEL 160
 

@@ -12,7 +12,7 @@
 
 #include "mesh/connectivity.h"
 #include "pull.h"
-#include "segmentation/nearest_face.h"
+#include "segmentation/part_finder.h"
 #include "segmentation/part_networks.h"
 #include "segmentation/proposal_features.h"
 #include "segmentation/region_growing.h"

@@ -8,7 +8,6 @@
 #include "evaluate_candidates.h"
 #include "kinematics/limits/limits.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 uint32_t dm_lab_limits_columns(void) {
     return DMI_LIMIT_FEATURES;

@@ -7,7 +7,6 @@
 #include "evaluate_candidates.h"
 #include "kinematics/inference/joint_models.h"
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 #define LEAST_SHARE 1e-30f /* whose logarithm stands for less */
 #define KEPT_BEST 8        /* candidates with the least pose error, which are always written */

@@ -1,7 +1,8 @@
-/* Gathers directions, points and lines. The order of the sources is that of the candidates. */
+/* Gathers directions, points and lines, some of clusters of the contacts. The order of the sources is that of the
+ * candidates. */
 #include "kinematics/candidates/candidate_sources.h"
 
-#include "kinematics/candidates/contact_clusters.h"
+#include "kinematics/analysis/part_analysis.h"
 #include "math/linear3.h"
 
 #define SAME_ANGLE 0.003f                                /* rad between directions that are merged; by hand */
@@ -14,6 +15,69 @@
 #define MAX_ACROSS_COSINE 0.3f   /* |cosine| to the drag of directions that are made perpendicular to it; by hand */
 #define MIN_ACROSS_COSINE 0.005f /* the same; below it they are perpendicular already; by hand */
 #define MIN_CROSS_SINE 0.1f      /* least sine between the drag and a vector that it is crossed with; by hand */
+
+/* ---- clusters of the contacts ---- */
+
+#define DMI_MAX_CONTACT_CLUSTERS 4 /* most clusters of a region; by hand */
+#define DMI_CLUSTERED_REGIONS 2    /* contact regions that are clustered: those with a fixed limit of the gap */
+
+#define MAX_POINTS 256       /* most points of a region, evenly chosen, because the clustering is quadratic; by hand */
+#define LINK_DISTANCE 0.05f  /* part diagonals between points of one cluster when all are used; by hand */
+#define MIN_CLUSTER_POINTS 3 /* least points of a cluster; by hand */
+
+typedef struct clustering {
+    uint32_t points[MAX_POINTS], labels[MAX_POINTS]; /* indices of part points, cluster of each */
+    uint32_t count;
+} clustering;
+
+/* Merges the clusters of all points that are closer than max_distance. */
+static void link_points(const dmi_part_analysis* analysis, float max_distance, clustering* c) {
+    for (uint32_t i = 0; i < c->count; i++)
+        for (uint32_t j = 0; j < i; j++) {
+            const float *a = analysis->points[c->points[i]], *b = analysis->points[c->points[j]];
+            if (c->labels[i] == c->labels[j] || dmi_distance3(a, b) > max_distance) continue;
+            uint32_t from = c->labels[i], to = c->labels[j];
+            for (uint32_t k = 0; k < c->count; k++) c->labels[k] = c->labels[k] == from ? to : c->labels[k];
+        }
+}
+
+/* Computes the centre of the cluster's bounding box. Returns its number of points. */
+static uint32_t measure_cluster(const dmi_part_analysis* analysis, const clustering* c, uint32_t label,
+                                float centre[3]) {
+    float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    uint32_t size = 0;
+    for (uint32_t i = 0; i < c->count; i++) {
+        if (c->labels[i] != label) continue;
+        size++;
+        for (int k = 0; k < 3; k++) {
+            low[k] = dmi_min(low[k], analysis->points[c->points[i]][k]);
+            high[k] = dmi_max(high[k], analysis->points[c->points[i]][k]);
+        }
+    }
+    for (int k = 0; k < 3; k++) centre[k] = (low[k] + high[k]) / 2;
+    return size;
+}
+
+/* Computes the centres of the bounding boxes of the region's clusters (single linkage). Returns how many there are, or
+ * 0 when the region is one cluster. */
+static uint32_t contact_clusters_find(const dmi_part_analysis* analysis, const dmi_contact* contact,
+                                      float out_centres[DMI_MAX_CONTACT_CLUSTERS][3]) {
+    clustering c = {.count = 0};
+    const uint32_t step = contact->count / MAX_POINTS + 1;
+    for (uint32_t i = 0; i < contact->count && c.count < MAX_POINTS; i += step) {
+        c.points[c.count] = contact->points[i], c.labels[c.count] = c.count;
+        c.count++;
+    }
+    link_points(analysis, LINK_DISTANCE * analysis->diagonal * sqrtf((float)step), &c);
+    uint32_t found = 0;
+    for (uint32_t label = 0; label < c.count && found < DMI_MAX_CONTACT_CLUSTERS; label++) {
+        const uint32_t size = measure_cluster(analysis, &c, label, out_centres[found]);
+        if (size >= MIN_CLUSTER_POINTS && size < c.count) found++;
+    }
+    return found;
+}
+
+/* ---- sources ---- */
 
 static void add_direction(dmi_candidate_sources* s, const float d[3], uint32_t family) {
     float unit[3];
@@ -88,7 +152,7 @@ static void add_patches(const dmi_patch* patches, uint32_t count, float max_size
 static void add_clusters(const dmi_part_analysis* analysis, dmi_candidate_sources* s) {
     for (int c = 0; c < DMI_CLUSTERED_REGIONS; c++) {
         float centres[DMI_MAX_CONTACT_CLUSTERS][3];
-        const uint32_t count = dmi_contact_clusters_find(analysis, &analysis->contacts[c], centres);
+        const uint32_t count = contact_clusters_find(analysis, &analysis->contacts[c], centres);
         for (uint32_t i = 0; i < count; i++) add_point(s, centres[i], DMI_ORIGIN_CONTACT_CLUSTER);
     }
 }

@@ -4,7 +4,7 @@
 #define DMI_CANDIDATES_CANDIDATES_H
 
 #include "kinematics/analysis/part_analysis.h"
-#include "kinematics/kpp/kpp_prediction.h"
+#include "kinematics/kpp/kpp_net.h"
 #include "math/linear3.h"
 
 #define DMI_CANDIDATES_MAX 1536 /* most candidates; by hand */

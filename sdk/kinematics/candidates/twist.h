@@ -1,5 +1,5 @@
-/* Twists: the velocities that a joint gives to some points of the part, and the angle between two joints' velocities.
- */
+/* Where candidate joints take points of the part, and how unlike two of them are: the velocities that a joint gives to
+ * the points, and the places where the part lies opened. */
 #ifndef DMI_CANDIDATES_TWIST_H
 #define DMI_CANDIDATES_TWIST_H
 
@@ -20,5 +20,20 @@ void dmi_twist_of_joint(const dmi_part_analysis* analysis, const dm_joint* joint
 /* Returns the sine of the angle between the two velocity vectors, regardless of sign. It is 0 for the same motion, and
  * 1 between a prismatic joint and another type. */
 float dmi_twist_difference(const dmi_twist* a, const dmi_twist* b);
+
+/* ---- opened parts ---- */
+
+#define DMI_OPENED_POINTS 16 /* points that are opened; by hand */
+
+/* The part's first points, opened by a typical way in either direction, in the object-normalised frame. */
+typedef struct dmi_opened_part {
+    float at[2][DMI_OPENED_POINTS][3];
+} dmi_opened_part;
+
+void dmi_opened_part_make(const dmi_part_analysis* analysis, const dmi_candidate* candidate, dmi_opened_part* out);
+
+/* Returns the mean distance between the points, in object sizes, for the directions that agree better. It is 0 for the
+ * same motion. */
+float dmi_opened_part_difference(const dmi_opened_part* a, const dmi_opened_part* b);
 
 #endif

@@ -2,7 +2,6 @@
 #ifndef DMI_INFERENCE_HYPOTHESES_H
 #define DMI_INFERENCE_HYPOTHESES_H
 
-#include "math/drag_hint.h"
 #include "math/joint.h"
 
 typedef struct dmi_hypotheses {

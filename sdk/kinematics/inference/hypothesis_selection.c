@@ -1,7 +1,6 @@
 /* Non-maximum suppression over the leading candidates, by how differently they move the part. */
 #include "kinematics/inference/hypothesis_selection.h"
 
-#include "kinematics/candidates/opened_part.h"
 #include "kinematics/candidates/twist.h"
 #include "math/elementary.h"
 #include "math/linear3.h"

@@ -9,8 +9,8 @@
 #include "kinematics/inference/hypothesis_selection.h"
 #include "kinematics/inference/straight_pull.h"
 #include "kinematics/limits/closed_pose.h"
-#include "kinematics/limits/free_range.h"
 #include "kinematics/limits/limits.h"
+#include "kinematics/limits/sweep.h"
 #include "kinematics/ranking/twin_leaves.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
@@ -19,11 +19,6 @@
 #define SCREW_CERTAIN 0.8f /* KPP-Net's probability from which a turn is a screw; by hand */
 #define USUAL_PITCH 0.02f  /* object sizes a radian, of a screw that no network knows; by hand */
 #define LEAST_ROOM 0.1f    /* least share of a joint's range that lies in the drag's direction; by hand */
-
-/* Shares of the work, when the part is analysed, when KPP-Net has run, and when the candidates are ranked; measured. */
-#define ANALYSED 0.3f
-#define NETWORK_RUN 0.6f
-#define RANKED 0.9f
 
 /* Slope and offset of the log odds of a dragged part's confidence when the object has no body, which no training case
  * lacks. Fitted on the parts of 99 generated objects, each alone, and rounded. */
@@ -302,20 +297,20 @@ static dm_result infer_joint(dmi_env* env, dmi_arena* arena, const dmi_inference
     if (w == NULL)
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "kinematics: no memory for %zu bytes of scratch", sizeof *w);
     w->query = query;
-    const dmi_progress analysing = dmi_progress_piece(query->progress, 0, ANALYSED);
+    const dmi_progress analysing = dmi_progress_piece(query->progress, 0, DMI_STAGE_INFER_ANALYSED);
     dm_result result =
         dmi_part_analysis_make(arena, query->mesh, query->cloud, query->part, query->welded, &analysing, &w->analysis);
     if (result == DM_ERROR_OUT_OF_MEMORY)
         return dmi_fail(env, result, "kinematics: no memory to analyse part %u", query->mesh->parts[query->part].id);
-    if (result == DM_OK) result = dmi_progress_tell(query->progress, ANALYSED);
+    if (result == DM_OK) result = dmi_progress_tell(query->progress, DMI_STAGE_INFER_ANALYSED);
     if (result == DM_OK) result = run_kpp_net(env, arena, query->hint, w);
-    if (result == DM_OK) result = dmi_progress_tell(query->progress, NETWORK_RUN);
+    if (result == DM_OK) result = dmi_progress_tell(query->progress, DMI_STAGE_INFER_NETWORK_RUN);
     if (result != DM_OK) return result;
     if (query->network_alone && query->models.kpp != NULL)
         take_network_answers(w);
     else
         result = infer_from_candidates(env, arena, w);
-    if (result == DM_OK) result = dmi_progress_tell(query->progress, RANKED);
+    if (result == DM_OK) result = dmi_progress_tell(query->progress, DMI_STAGE_INFER_RANKED);
     if (result != DM_OK) return result;
     make_hypotheses(w, out);
     if (out_alternatives != NULL) result = find_alternatives(arena, w, out, out_alternatives);

@@ -3,9 +3,28 @@
 #ifndef DMI_KPP_KPP_FRAME_H
 #define DMI_KPP_KPP_FRAME_H
 
-#include "kinematics/kpp/kpp_subset.h"
-#include "math/drag_hint.h"
+#include "math/joint.h"
 #include "math/linear3.h"
+#include "mesh/cloud.h"
+
+#define DMI_KPP_SUBSETS 4 /* disjoint subsets of a cloud */
+/* Points of the subset's blocks (docs/networks.md). */
+#define DMI_KPP_PART_POINTS 512
+#define DMI_KPP_NEAR_POINTS 256
+#define DMI_KPP_BODY_POINTS 256
+#define DMI_KPP_POINTS (DMI_KPP_PART_POINTS + DMI_KPP_NEAR_POINTS + DMI_KPP_BODY_POINTS)
+
+typedef struct dmi_kpp_subset {
+    const float (*part)[3], (*near)[3], (*body)[3];
+    const float (*part_normals)[3], (*near_normals)[3], (*body_normals)[3];
+} dmi_kpp_subset;
+
+static inline dmi_kpp_subset dmi_kpp_subset_of(const dmi_cloud* cloud, uint32_t index) {
+    const float(*xyz)[3] = (const float(*)[3])cloud->xyz, (*normal)[3] = (const float(*)[3])cloud->normal;
+    const uint32_t part = index * DMI_KPP_PART_POINTS, near = DMI_CLOUD_PART + index * DMI_KPP_NEAR_POINTS;
+    const uint32_t body = DMI_CLOUD_PART + DMI_CLOUD_NEAR + index * DMI_KPP_BODY_POINTS;
+    return (dmi_kpp_subset){xyz + part, xyz + near, xyz + body, normal + part, normal + near, normal + body};
+}
 
 /* y = (rotation (x - origin)) * scale. The rows of rotation are the frame's axes; x is object-normalised. */
 typedef struct dmi_kpp_frame {

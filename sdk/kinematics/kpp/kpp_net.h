@@ -35,4 +35,17 @@ void dmi_kpp_net_forward(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_inpu
 void dmi_kpp_net_score(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_output* output,
                        const float (*candidates)[DMI_KPP_CANDIDATE_NUMBERS], uint32_t count, float* out_scores);
 
+/* ---- what the network predicts ---- */
+
+typedef struct dmi_prediction {
+    float type[DMI_KPP_TYPES];                    /* probabilities, sum 1 */
+    float turn_axis[3], slide_axis[3], origin[3]; /* unit axes; a point of the turn's axis */
+    float turn_limits[2];                         /* lower, upper; rad */
+    float slide_limits[2];                        /* lower, upper; object sizes */
+    float pitch;                                  /* object sizes per rad */
+} dmi_prediction;
+
+/* Converts the network's raw outputs: normalises axes, computes probabilities, transforms out of the input's frame. */
+void dmi_prediction_read(const dmi_kpp_frame* frame, const dmi_kpp_output* raw, dmi_prediction* out);
+
 #endif

@@ -6,7 +6,6 @@
 #include <float.h>
 
 #include "math/linear3.h"
-#include "math/vec3.h"
 
 #define POINTS 256         /* points of the part that are looked at; by hand: a few of a front's edge are among them */
 #define SAMPLES 4096       /* samples of the body near it; by hand */

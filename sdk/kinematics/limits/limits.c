@@ -3,7 +3,6 @@
 #include "kinematics/limits/limits.h"
 
 #include "kinematics/limits/sweep.h"
-#include "math/constants.h"
 #include "math/elementary.h"
 #include "math/joint.h"
 

@@ -6,6 +6,7 @@
 #include "dragmesh/dragmesh.h"
 #include "kinematics/analysis/batched_transform.h"
 #include "kinematics/analysis/part_analysis.h"
+#include "math/joint.h"
 
 #define DMI_SWEEP_POINTS DMI_POINT_BATCH /* points of the part that are swept */
 #define DMI_SWEEP_TURN 0.05f             /* rad of one step of a turn; by hand */
@@ -40,5 +41,11 @@ dmi_clearance dmi_sweep_clearance(const dmi_sweep* s, float value);
 /* Returns the mean distance of the part from itself, in diagonals, when it is turned by three angles. It is small for a
  * knob, a wheel, a cap. */
 float dmi_sweep_roundness(const dmi_sweep* s);
+
+/* ---- range that is free ---- */
+
+/* Sweeps half a turn, or a bit more than the part's extent along a slide, to either side. A side on which nothing is
+ * penetrated so far has no bound. joint: object-normalised frame; its limits are not used. */
+dmi_free_range dmi_free_range_of(const dmi_part_analysis* analysis, const dm_joint* joint);
 
 #endif

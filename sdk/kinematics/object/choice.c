@@ -1,9 +1,8 @@
 /* Shows hypotheses to the host, with the places that they take the part to. */
 #include "kinematics/object/choice.h"
 
-#include "math/constants.h"
 #include "math/elementary.h"
-#include "math/vec3.h"
+#include "math/linear3.h"
 
 #define OPEN_TURN DMI_HALF_PI_F /* rad from rest, of an end that no limit sets; by hand */
 #define OPEN_SLIDE 0.5f         /* object sizes from rest, of an end that no limit sets; by hand */

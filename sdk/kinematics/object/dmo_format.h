@@ -79,4 +79,13 @@ static const uint32_t dmi_dmo_tags[DMI_DMO_SECTIONS] = {
 /* Returns the CRC-32 of IEEE 802.3, zlib and PNG. */
 uint32_t dmi_dmo_crc(const uint8_t* bytes, size_t size);
 
+/* Returns the number of bytes that dmi_dmo_write writes. trees: those of its triangles (dmi_object_stored_trees); NULL:
+ * none. */
+size_t dmi_dmo_size(const dmi_object* object, const dmi_bvh* trees);
+void dmi_dmo_write(const dmi_object* object, const dmi_bvh* trees, uint8_t* out);
+/* Reads bytes from any source, and checks all of them. Returns a valid object, DM_ERROR_BAD_DATA or DM_ERROR_VERSION.
+ * axes: those of the host that loads, which need not be those of the host that saved. progress: may be NULL. */
+dm_result dmi_dmo_read(dmi_env* env, dmi_picker* picker, const dmi_axes* axes, const void* data, size_t size,
+                       const dmi_progress* progress, dmi_object** out_object);
+
 #endif

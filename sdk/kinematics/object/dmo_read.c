@@ -3,19 +3,12 @@
 
 #include <float.h>
 
-#include "base/kept.h"
-#include "kinematics/object/dmo.h"
+#include "base/env.h"
 #include "kinematics/object/dmo_bytes.h"
 #include "kinematics/object/dmo_check.h"
 #include "kinematics/object/dmo_format.h"
-#include "kinematics/object/object_mesh.h"
+#include "kinematics/object/object.h"
 #include "pick/backend.h"
-
-/* Shares of the work, when the checksum is right, when the arrays of triangles are copied, and when these are measured;
- * measured. */
-#define CHECKED 0.05f
-#define ARRAYS_READ 0.1f
-#define TRIANGLES_READ 0.25f
 
 typedef struct loading {
     dmi_env* env;
@@ -296,7 +289,7 @@ static dm_result read_arrays(loading* load, size_t vertices, size_t faces, const
         if (to->face_part[i] >= load->object->part_count)
             return refuse_data(load, "section TRI: a triangle of no part");
     }
-    return dmi_progress_tell(load->progress, ARRAYS_READ);
+    return dmi_progress_tell(load->progress, DMI_STAGE_LOAD_ARRAYS_READ);
 }
 
 /* Returns whether each part has as many triangles as it states and, where it has any, an area. */
@@ -313,7 +306,8 @@ static dm_result check_faces(const loading* load) {
 }
 
 static dm_result pack_triangles(loading* load, uint32_t vertices, uint32_t faces, bool wide, const arrays* room) {
-    const dmi_progress packing = dmi_progress_piece(load->progress, ARRAYS_READ, TRIANGLES_READ);
+    const dmi_progress packing =
+        dmi_progress_piece(load->progress, DMI_STAGE_LOAD_ARRAYS_READ, DMI_STAGE_LOAD_TRIANGLES_READ);
     const dmi_unpacked all = {room->positions, room->indices, room->face_part,
                               vertices,        faces,         load->object->part_count};
     dm_result result = read_arrays(load, vertices, faces, room);
@@ -400,7 +394,7 @@ static dm_result read_trees(loading* load, dmi_picker* picker, const dmi_progres
 /* Reads the triangles, and the trees that are stored. It builds trees where there are none or the context has
  * others. */
 static dm_result read_pickable(loading* load, dmi_picker* picker) {
-    const dmi_progress building = dmi_progress_piece(load->progress, TRIANGLES_READ, 1);
+    const dmi_progress building = dmi_progress_piece(load->progress, DMI_STAGE_LOAD_TRIANGLES_READ, 1);
     const bool stored = has_trees(load) && dmi_picker_restores(picker);
     dm_result result = read_triangles(load, !stored && dmi_picker_is_wide(picker));
     if (result == DM_OK) result = dmi_progress_tell(&building, 0);
@@ -412,7 +406,7 @@ dm_result dmi_dmo_read(dmi_env* env, dmi_picker* picker, const dmi_axes* axes, c
                        const dmi_progress* progress, dmi_object** out_object) {
     loading load = {.env = env, .axes = axes, .progress = progress};
     dm_result result = read_table(&load, data, size);
-    if (result == DM_OK) result = dmi_progress_tell(progress, CHECKED);
+    if (result == DM_OK) result = dmi_progress_tell(progress, DMI_STAGE_LOAD_CHECKED);
     if (result == DM_OK) result = read_object(&load);
     if (result == DM_OK) result = read_parts(&load);
     if (result == DM_OK) result = read_joints(&load);

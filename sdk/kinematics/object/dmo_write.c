@@ -1,7 +1,6 @@
 /* Writes a prepared object as .dmo bytes. */
 #include <string.h>
 
-#include "kinematics/object/dmo.h"
 #include "kinematics/object/dmo_bytes.h"
 #include "kinematics/object/dmo_format.h"
 #include "pick/backend.h"

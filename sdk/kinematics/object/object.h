@@ -55,4 +55,20 @@ void dmi_object_box_out(const dmi_frame* frame, const float min[3], const float 
 dm_result dmi_object_hint(dmi_env* env, const char* what, const dmi_object* object, uint32_t part,
                           const dm_drag_hint* drag, dmi_drag_hint* out_hint);
 
+/* ---- triangles and trees ---- */
+
+/* Keeps a mesh with the object's parts. */
+dm_result dmi_object_pack(dmi_env* env, const dmi_unpacked* from, bool wide, const dmi_progress* progress,
+                          dmi_object* object);
+/* Makes the trees of the triangles that the object keeps. shapes: one a part, stored before; NULL: the trees are built.
+ * Errors are those of dmi_bvh_create. */
+dm_result dmi_object_make_trees(dmi_picker* picker, const dmi_tree_shape* shapes, const dmi_progress* progress,
+                                dmi_object* object);
+/* Computes the mesh that was packed. Every number has the same bits. */
+dm_result dmi_object_unpack(dmi_env* env, const dmi_object* object, const dmi_progress* progress, dmi_mesh** out_mesh);
+/* Returns trees whose shapes go into the object's file: its own, or new ones, which *out_made points to and the caller
+ * destroys. Returns NULL where there are none. */
+dm_result dmi_object_stored_trees(dmi_env* env, const dmi_object* object, const dmi_bvh** out_trees,
+                                  dmi_bvh** out_made);
+
 #endif

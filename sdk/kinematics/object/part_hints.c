@@ -4,8 +4,7 @@
 #include <float.h>
 
 #include "math/linear3.h"
-#include "math/vec3.h"
-#include "mesh/part_pivots.h"
+#include "mesh/pivot_rule.h"
 
 #define SAME_PLACE 1e-4f /* object sizes between two pivots that count as one place; by hand */
 #define FARTHEST 1e3f    /* object sizes from the object's centre to a pivot that still says something; by hand */

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "kinematics/object/object_mesh.h"
+#include "kinematics/object/object.h"
 
 /* Numbers the parts that are kept. The others get the number of the part that carries them. Returns how many are kept,
  * the body included. */

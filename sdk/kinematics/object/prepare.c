@@ -3,25 +3,17 @@
 
 #include <stdio.h>
 
-#include "base/arena_pool.h"
+#include "base/arena.h"
 #include "kinematics/analysis/part_analysis.h"
 #include "kinematics/object/alike_parts.h"
 #include "kinematics/object/choice.h"
-#include "kinematics/object/object_mesh.h"
+#include "kinematics/object/object.h"
 #include "mesh/connectivity.h"
 #include "mesh/mesh_repair.h"
 
 #define BATCH 32                        /* parts between two calls of the progress callback, with workers; by hand */
 #define SCRATCH_BLOCK ((size_t)1 << 20) /* bytes, of the arenas; by hand */
-#define MESH_DONE 0.05f                 /* progress reported when the mesh is checked; by hand */
-#define BVH_DONE 0.1f                   /* progress reported when the BVH is built; by hand */
-#define SHARED 0.12f      /* progress reported when the vertices are welded and the part masks are repaired */
-#define WELDED 0.5f       /* share of these two, when the vertices are welded; measured */
-#define SAMPLED 0.1f      /* share of one inference, when the part is sampled; measured */
-#define PACKED 0.055f     /* progress reported when its triangles are packed; measured */
-#define UNPACKED 0.1f     /* progress of a refinement when the mesh is computed again; by hand */
-#define REFINING 0.5f     /* progress of a refinement when the mesh is shared; by hand */
-#define MAX_FIELD_NAME 64 /* bytes of a field's name in an error message, with the terminating zero */
+#define MAX_FIELD_NAME 64               /* bytes of a field's name in an error message, with the terminating zero */
 
 /* Input and result of one part's inference. */
 typedef struct part_request {
@@ -66,11 +58,11 @@ static dm_result make_shared_mesh(dmi_arena* arena, const dmi_mesh* mesh, const 
     uint32_t* welded = dmi_arena_push(arena, mesh->vertex_count * sizeof *welded);
     if (welded == NULL)
         return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "no memory to weld %u vertices", mesh->vertex_count);
-    const dmi_progress welding = dmi_progress_piece(progress, 0, WELDED),
-                       repairing = dmi_progress_piece(progress, WELDED, 1);
+    const dmi_progress welding = dmi_progress_piece(progress, 0, DMI_STAGE_SHARE_WELDED),
+                       repairing = dmi_progress_piece(progress, DMI_STAGE_SHARE_WELDED, 1);
     dm_result result = dmi_weld_vertices(arena, mesh, DMI_WELD_TOLERANCE, &welding, welded);
     out->welded = welded;
-    if (result == DM_OK) result = dmi_progress_tell(progress, WELDED);
+    if (result == DM_OK) result = dmi_progress_tell(progress, DMI_STAGE_SHARE_WELDED);
     if (result == DM_OK) result = dmi_mesh_repair(arena, mesh, welded, &repairing, &out->mesh);
     return result == DM_OK ? dmi_progress_tell(progress, 1) : result;
 }
@@ -81,9 +73,9 @@ static dm_result infer_part(dmi_arena* arena, dmi_object* object, uint32_t index
                             dmi_cloud* cloud) {
     dmi_env* env = arena->env;
     dmi_object_part* part = &object->parts[index];
-    const dmi_progress inferring = dmi_progress_piece(progress, SAMPLED, 1);
+    const dmi_progress inferring = dmi_progress_piece(progress, DMI_STAGE_PART_SAMPLED, 1);
     dm_result result = dmi_cloud_sample(env, &shared->mesh, index, object->seed, cloud);
-    if (result == DM_OK) result = dmi_progress_tell(progress, SAMPLED);
+    if (result == DM_OK) result = dmi_progress_tell(progress, DMI_STAGE_PART_SAMPLED);
     if (result != DM_OK) return result;
     const dmi_inference_query query = {.mesh = &shared->mesh,
                                        .cloud = cloud,
@@ -112,7 +104,7 @@ static dm_result infer_part(dmi_arena* arena, dmi_object* object, uint32_t index
  * thread. */
 static dmi_progress part_progress(const preparation* work, uint32_t index) {
     const float all = (float)(work->object->part_count - 1);
-    const dmi_progress parts = dmi_progress_piece(work->progress, SHARED, 1);
+    const dmi_progress parts = dmi_progress_piece(work->progress, DMI_STAGE_PREPARE_SHARED, 1);
     if (work->env->jobs.parallel_for != NULL) return (dmi_progress){0};
     return dmi_progress_piece(&parts, (float)(index - 1) / all, (float)index / all);
 }
@@ -148,7 +140,7 @@ static void copy_alike(const preparation* work, uint32_t tasks) {
 static dm_result find_alike(dmi_arena* arena, preparation* work) {
     const uint32_t count = work->object->part_count;
     if (count - 1 < DMI_MANY_PARTS) return DM_OK;
-    const dmi_progress asking = dmi_progress_piece(work->progress, SHARED, SHARED);
+    const dmi_progress asking = dmi_progress_piece(work->progress, DMI_STAGE_PREPARE_SHARED, DMI_STAGE_PREPARE_SHARED);
     uint32_t* like = dmi_arena_push(arena, count * sizeof *like);
     uint8_t* excluded = dmi_arena_push(arena, count);
     if (like == NULL || excluded == NULL)
@@ -184,7 +176,7 @@ static dm_result prepare_parts(preparation* work) {
         result = choose_joints(work, tasks);
         if (result != DM_OK) return result;
         const float done = (float)(work->first + tasks - 1) / (float)(count - 1);
-        result = dmi_progress_tell(work->progress, SHARED + (1 - SHARED) * done);
+        result = dmi_progress_tell(work->progress, DMI_STAGE_PREPARE_SHARED + (1 - DMI_STAGE_PREPARE_SHARED) * done);
         if (result != DM_OK) return result;
     }
     return DM_OK;
@@ -231,7 +223,8 @@ static dm_result run_requests(preparation* work) {
     dmi_arena arena;
     dmi_arena_init(&arena, work->env, SCRATCH_BLOCK);
     dmi_arena_pool_init(&work->scratch, work->env, SCRATCH_BLOCK);
-    const dmi_progress sharing = dmi_progress_piece(work->progress, BVH_DONE, SHARED);
+    const dmi_progress sharing =
+        dmi_progress_piece(work->progress, DMI_STAGE_PREPARE_TREES_BUILT, DMI_STAGE_PREPARE_SHARED);
     dm_result result = make_shared_mesh(&arena, work->mesh, &sharing, &work->shared);
     if (result == DM_OK) result = find_alike(&arena, work);
     if (result == DM_OK) result = prepare_parts(work);
@@ -278,8 +271,8 @@ static void note_missing(const dmi_inference_models* models, dmi_object* object)
 /* Keeps the triangles, and builds the trees, where the host wants them. */
 static dm_result keep_triangles(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc,
                                 const dmi_progress* progress, const dmi_mesh* mesh, dmi_object* object) {
-    const dmi_progress packing = dmi_progress_piece(progress, MESH_DONE, PACKED),
-                       building = dmi_progress_piece(progress, PACKED, BVH_DONE);
+    const dmi_progress packing = dmi_progress_piece(progress, DMI_STAGE_PREPARE_MESH_READ, DMI_STAGE_PREPARE_PACKED),
+                       building = dmi_progress_piece(progress, DMI_STAGE_PREPARE_PACKED, DMI_STAGE_PREPARE_TREES_BUILT);
     const bool trees = !desc->without_trees;
     const dmi_unpacked all = dmi_unpacked_of(mesh);
     if (!desc->keep_triangles) return DM_OK;
@@ -289,9 +282,9 @@ static dm_result keep_triangles(dmi_env* env, dmi_picker* picker, const dmi_prep
 
 static dm_result prepare_object(dmi_env* env, dmi_picker* picker, const dmi_prepare_desc* desc,
                                 const dmi_progress* progress, const dmi_mesh* mesh, dmi_object* object) {
-    dm_result result = dmi_progress_tell(progress, MESH_DONE);
+    dm_result result = dmi_progress_tell(progress, DMI_STAGE_PREPARE_MESH_READ);
     if (result == DM_OK) result = keep_triangles(env, picker, desc, progress, mesh, object);
-    if (result == DM_OK) result = dmi_progress_tell(progress, BVH_DONE);
+    if (result == DM_OK) result = dmi_progress_tell(progress, DMI_STAGE_PREPARE_TREES_BUILT);
     if (result != DM_OK) return result;
     preparation work = {.env = env, .desc = desc, .progress = progress, .object = object, .mesh = mesh};
     result = infer_joints(&work);
@@ -323,7 +316,7 @@ dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare
         progress.user = desc->progress_user;
     }
     if (desc->watched != NULL) progress = *desc->watched;
-    const dmi_progress reading = dmi_progress_piece(&progress, 0, MESH_DONE);
+    const dmi_progress reading = dmi_progress_piece(&progress, 0, DMI_STAGE_PREPARE_MESH_READ);
     dmi_mesh* mesh = NULL;
     dm_result result = dmi_mesh_create(env, desc->axes, desc->mesh, desc->parts, desc->part_count, &reading, &mesh);
     if (result != DM_OK) return result;
@@ -334,8 +327,8 @@ dm_result dmi_object_prepare(dmi_env* env, dmi_picker* picker, const dmi_prepare
 
 static dm_result refine_in(dmi_arena* arena, dmi_object* object, uint32_t part, const dmi_inference_models* models,
                            const dmi_drag_hint* hint, const dmi_progress* progress, const dmi_mesh* mesh) {
-    const dmi_progress sharing = dmi_progress_piece(progress, UNPACKED, REFINING),
-                       inferring = dmi_progress_piece(progress, REFINING, 1);
+    const dmi_progress sharing = dmi_progress_piece(progress, DMI_STAGE_REFINE_UNPACKED, DMI_STAGE_REFINE_SHARED),
+                       inferring = dmi_progress_piece(progress, DMI_STAGE_REFINE_SHARED, 1);
     dmi_cloud* cloud = dmi_arena_push(arena, sizeof *cloud);
     if (cloud == NULL) return dmi_fail(arena->env, DM_ERROR_OUT_OF_MEMORY, "dm_object_refine: no memory for a cloud");
     shared_mesh shared;
@@ -347,7 +340,7 @@ dm_result dmi_object_refine(dmi_env* env, dmi_object* object, uint32_t part, con
                             const dmi_drag_hint* hint) {
     float told;
     const dmi_progress progress = dmi_progress_of(env, "dm_object_refine", &told),
-                       unpacking = dmi_progress_piece(&progress, 0, UNPACKED);
+                       unpacking = dmi_progress_piece(&progress, 0, DMI_STAGE_REFINE_UNPACKED);
     dmi_mesh* mesh = NULL;
     dm_result result = dmi_object_unpack(env, object, &unpacking, &mesh);
     if (result != DM_OK) return result;
