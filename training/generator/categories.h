@@ -5,7 +5,10 @@
  * id: seeds the category's objects and deals them to the splits (dmg_make, dmg_split). It is given once, stays with the
  *     category, and is never used again; a new category takes the next free one. Rows may stand in any order:
  *     tests/e2e/category_ids.sh checks that neither order nor new rows change other categories' objects.
- * set: FIRST, TRAINED or TEST_ONLY, a DMG_SET_* of generator.h. */
+ * set: FIRST, TRAINED or TEST_ONLY, a DMG_SET_* of generator.h.
+ *
+ * generator.c alone includes this header. A file of categories includes core/build.h and the parts it uses, so that a
+ * new row compiles one file besides its own. */
 #ifndef DMG_CATEGORIES_H
 #define DMG_CATEGORIES_H
 

@@ -1,5 +1,5 @@
 /* Draws aircraft: aeroplanes with their control surfaces, helicopters, drones; windsocks; and submarines. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/wings.h"
 

@@ -1,6 +1,6 @@
 /* Draws airframes as low-polygon models have them: a hull of few corners, tails of every layout, control surfaces
  * cut out of one skin, with tabs; and wings with slats, flaps and spoilers. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/wings.h"
 

@@ -1,5 +1,5 @@
 /* Draws airships: an envelope with fins and rudders, a car with doors and a wheel, engines that tilt and turn. */
-#include "categories.h"
+#include "core/build.h"
 #include "core/skins.h"
 #include "parts/hardware.h"
 #include "parts/wings.h"

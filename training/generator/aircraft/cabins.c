@@ -1,5 +1,5 @@
 /* Draws an aircraft's cabin: doors of every kind in a curved side, and seats with what folds down before them. */
-#include "categories.h"
+#include "core/build.h"
 #include "core/skins.h"
 #include "parts/hardware.h"
 

@@ -1,6 +1,6 @@
 /* Draws piston engines under their cowlings: rings of flaps, panels, bonnets in halves, scoops with doors, shutters,
  * lowered radiators, propellers whose blades turn. The propeller is in front. */
-#include "categories.h"
+#include "core/build.h"
 #include "core/skins.h"
 #include "parts/hardware.h"
 

@@ -1,6 +1,6 @@
 /* Draws an aircraft's landing gear and covers: legs with their doors, bays in round and flat skins, canopies over a
  * cockpit. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- gear leg ---- */

@@ -1,5 +1,5 @@
 /* Draws doors and ramps of aircraft's holds, and rotor heads. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- rotor head ---- */

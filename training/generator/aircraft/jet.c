@@ -1,6 +1,6 @@
 /* Draws aeroplanes as flight simulators have them: hulls in one skin with doors cut out of it, tails of all layouts,
  * air brakes, legs that fold behind doors. Nose to +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/wings.h"
 

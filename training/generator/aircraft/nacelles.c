@@ -1,6 +1,6 @@
 /* Draws jet engines in their nacelles: reversers with sleeves, buckets and pivot doors; nozzles with petals, ramps,
  * plugs and elbows. The axis is Z, the intake in front. */
-#include "categories.h"
+#include "core/build.h"
 #include "core/skins.h"
 #include "parts/hardware.h"
 

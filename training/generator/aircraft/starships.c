@@ -1,7 +1,7 @@
 /* Draws spaceships as games and films have them: fighters whose wings fold or part, shuttles with a ramp, bay doors
  * and wings that fold up to land, round freighters with mandibles; landing legs, canopies, turrets, dishes, engines
  * that tilt. Ahead is +Z; the belly is at y = 0, the wings spread along X. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 

@@ -1,6 +1,6 @@
 /* Draws thrust that is aimed or folded away: rotors and fans that tilt, arms of drones that fold, thrusters that
  * turn. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct thruster {

@@ -1,5 +1,5 @@
 /* Draws kitchen appliances: a housing with doors, knobs, buttons and trays. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a turntable plate on the floor of a cavity, y = 0. */

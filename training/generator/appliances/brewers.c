@@ -1,5 +1,5 @@
 /* Draws round kitchen machines: blenders whose jug lifts off a turned base, coffee makers whose body is no box. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/thumbs.h"
 

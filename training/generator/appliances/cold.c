@@ -1,6 +1,6 @@
 /* Draws large white goods and safes: refrigerators, dishwashers, washing machines, safes. The door is most of the
  * housing's front. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- refrigerator ---- */

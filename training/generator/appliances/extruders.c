@@ -1,6 +1,6 @@
 /* Draws 3D printers and plotters: frames whose beds and heads slide on rods or profiles, boxes with doors and hoods,
  * towers with three carriages, vats under a cover that tips or lifts off, spools that turn. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/cranks.h"
 #include "parts/hardware.h"
 

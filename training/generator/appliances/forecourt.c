@@ -1,6 +1,6 @@
 /* Draws kerbside machines: petrol pumps old and new, charging pillars, parking meters, ticket machines. Nozzles come
  * out of their boots, triggers are squeezed, flaps and doors open. The customer stands at +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- nozzles and plugs: they come up along +y out of a boot at the origin ---- */

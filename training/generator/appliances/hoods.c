@@ -1,6 +1,6 @@
 /* Draws barbecues and food warmers: lids and hoods that turn up, back or round over bowls, drums, boxes and trays. */
-#include "categories.h"
 #include "core/arcs.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a bar across on two posts, on y = 0, facing up. */

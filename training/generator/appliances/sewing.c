@@ -1,5 +1,5 @@
 /* Draws sewing machines: bed, pillar, arm and head, the wheel at the right, and the small parts that move on it. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Lengths in metres; the needle is at the left, the handwheel at the right. */

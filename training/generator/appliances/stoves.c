@@ -1,5 +1,5 @@
 /* Draws stoves and hobs: burners with relief on a slab or a range, and knobs of any size beside, above or in front. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/switches.h"
 

@@ -1,6 +1,6 @@
 /* Draws mixer taps and lever valves: a cap with a lever that turns both ways on a pillar, or a large lever on a
  * small stem. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- shared shapes ---- */

@@ -1,6 +1,6 @@
 /* Draws bread bins: fronts that roll under the roof, fall forward, turn up with the roof, or are pulled. */
-#include "categories.h"
 #include "core/arcs.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct bin {

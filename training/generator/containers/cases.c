@@ -1,5 +1,5 @@
 /* Draws cases of two halves with handles and latches, pails, and boxes with a lid that grips over their rim. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- hard cases ---- */

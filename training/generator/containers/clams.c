@@ -1,6 +1,6 @@
 /* Draws household shells: cases of two halves, grills that close on each other, boxes with sunk or overlaid doors,
  * bins with flaps, pots whose handles drop. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- a case of two half shells that meet in a plane ---- */

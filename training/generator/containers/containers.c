@@ -1,5 +1,5 @@
 /* Draws bins, boxes, pots and cases with lids that turn, lift off or slide. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws an upright case, open above: y = 0 … height. */

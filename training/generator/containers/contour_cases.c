@@ -1,5 +1,5 @@
 /* Draws cases in the shape of what they hold, and one-piece boxes hinged by the thin rim between their halves. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 enum { ALONG = 9, OUTLINE = 2 * ALONG };

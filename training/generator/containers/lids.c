@@ -1,5 +1,5 @@
 /* Draws things with a lid or a bail: chests, buckets. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Half a barrel on a chest: axis along X, open below. */

@@ -1,7 +1,7 @@
 /* Draws waste containers: steel ones with flapping lids and sliding side doors, skips, roll-off boxes with barred
  * doors, bottle banks that drop their floor, bins on casters under a dome. The user stands at +Z. */
-#include "categories.h"
 #include "core/arcs.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- what they share ---- */

@@ -1,5 +1,5 @@
 /* Draws small things: bottles, jars, dispensers, pens, sticks, knives, glasses, locks. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- bottle and jar ---- */

@@ -1,5 +1,5 @@
 /* Draws doors before closed blocks: safes whose door is a sheet with dials, ovens whose door is a pane on the front. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct lock {

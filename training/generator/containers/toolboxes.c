@@ -1,6 +1,6 @@
 /* Draws lids on arms: tool boxes whose lid sinks behind the box, bins whose lid reaches back to a rod; casements in
  * walls. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- a box whose lid hangs on arms ---- */

@@ -1,5 +1,5 @@
 /* Draws task boards of manipulation benchmarks and busy boards: small mechanisms on a frame, a box or a board. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Every task is drawn on z = 0 facing +Z, round the origin, within half a width `w` and half a height `h`. */

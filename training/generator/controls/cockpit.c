@@ -1,5 +1,5 @@
 /* Draws what a pilot or an operator faces: crowded panels, radios, switchboards, yokes and throttle quadrants. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/switches.h"
 

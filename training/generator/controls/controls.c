@@ -1,5 +1,5 @@
 /* Draws single panel controls: knobs, buttons, faucets. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a housing whose front is centred at the origin of z = 0; returns with the frame unchanged. */

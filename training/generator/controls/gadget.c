@@ -1,6 +1,6 @@
 /* Draws objects of no category: a body of any shape with turning, sliding, flapping and pressed parts on its faces.
  * They keep a network from relying on what a category usually looks like. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- a body, and the places on it where fittings go ---- */

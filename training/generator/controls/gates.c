@@ -1,6 +1,6 @@
 /* Draws levers in gates, and the controls on a ship's bridge: telegraphs, thruster heads, binnacles, steering
  * stands. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- gates: the plate is z = 0, the slot runs along Y ---- */

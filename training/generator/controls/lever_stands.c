@@ -1,6 +1,6 @@
 /* Draws levers as objects of their own: in the slot of a housing, between cheeks, on the side of a post; rockers in
  * a socket. Only the slot shows whether such a handle turns or slides. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* The end one holds, about X: a bar across, a ball, a grip along Z that thickens, or nothing more. */

@@ -1,5 +1,5 @@
 /* Draws levers, switches, cranks, valves and sticks: controls that turn about a line or slide in a slot. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a plate or block for a control, front centred at the origin of z = 0. */

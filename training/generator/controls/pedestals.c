@@ -1,6 +1,6 @@
 /* Draws pedestals between two pilots' seats: levers in slots, trim wheels on the flank, pull rods, a parking brake's
  * handle. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/switches.h"
 

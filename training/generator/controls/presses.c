@@ -1,6 +1,6 @@
 /* Draws objects with one or a few buttons or levers: push buttons in boxes and bezels, snap-in rockers, toasters
  * with levers of any shape. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/thumbs.h"
 

@@ -1,6 +1,6 @@
 /* Draws pairs that look alike from the front and differ in rods, skirts, slots and rims: push rods beside knobs that
  * turn, and wheels sunk into consoles beside blocks that slide. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- heads that rods and knobs share: on z = 0, towards +Z ---- */

@@ -1,6 +1,6 @@
 /* Draws dentists' and barbers' chairs on a column with arms that swing a tray and a lamp in, and hospital beds whose
  * deck folds in sections between rails that drop. Feet towards +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a pad with soft edges or square ones, one look an object. */

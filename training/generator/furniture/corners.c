@@ -1,6 +1,6 @@
 /* Draws cabinets for the corner of a room: doors that fold, carousels, shelves that swing or glide out, diagonal
  * fronts. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* The plan: walls along x = 0 and z = 0, two wings as deep as `deep` that end at `side`. Across the corner the front

@@ -1,6 +1,6 @@
 /* Draws cots and cradles: a side that drops, folds or is a gate, a bed of adjustable height, a hood, drawers, a
  * mobile. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct cot {

@@ -1,6 +1,6 @@
 /* Draws cabinets of flush fronts, pulled by an edge or without a handle: boxes, rails, hinges and gaps distinguish
  * drawers from doors. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* What an edge is pulled by. */

@@ -1,5 +1,5 @@
 /* Draws furniture whose front tilts or falls: shoe cabinets, mirror cabinets, beds and desks that fold into a wall. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Boards round an opening centred at z = 0: sides, top, floor and back as one likes. */

@@ -1,5 +1,5 @@
 /* Draws tables, wardrobes and chairs. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- table ---- */

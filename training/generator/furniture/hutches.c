@@ -1,6 +1,6 @@
 /* Draws furniture of plain thick slabs, as in kitchens of robot simulators: doors, sliders and drawers with bar
  * handles. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* What all fronts of a piece have in common. */

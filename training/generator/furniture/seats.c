@@ -1,6 +1,6 @@
 /* Draws office chairs, stools and beds on wheels: a seat may turn, rise or tilt as one piece; casters have two
  * wheels each. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- casters ---- */

@@ -1,5 +1,5 @@
 /* Draws sofas that become beds: each seat, back and arm moves on its own. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- sofa ---- */

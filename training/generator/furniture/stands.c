@@ -1,6 +1,6 @@
 /* Draws household things on stands: seats that recline, carts with folding handles, screens on arms, tables whose
  * legs fold. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- recliner: back, foot rest and arm rests each on a line of their own ---- */

@@ -1,7 +1,7 @@
 /* Draws storage furniture: a front is cut into cells, and each cell gets a door, a drawer, a flap or nothing. */
 #include <stdio.h>
 
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 enum { CELL_LIMIT = 24 };

@@ -1,6 +1,6 @@
 /* Draws tables of variable size or height: leaves that draw out, fall or swing on gates, tops that part, rise or
  * turn. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct table {

@@ -1,6 +1,6 @@
 /* Draws dressing tables and dressers with a mirror that tilts, folds, lifts or slides; mirrors on feet and boxes in
  * them. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct vanity {

@@ -1,6 +1,6 @@
 /* Draws controllers after real products: a tilted head on a handle, with or without a ring; wands; gamepads of
  * several outlines; headsets. Forward is +Z, up +Y. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/thumbs.h"
 
 /* ---- controllers for one hand ---- */

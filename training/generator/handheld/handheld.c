@@ -1,6 +1,6 @@
 /* Draws controllers held in one hand: a grip and a head with a stick or a touch pad, keys, triggers whose pivots are
  * hidden inside the shell. They point to +Z with the thumb's face up. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 enum { OUTLINE = 12, ROWS = 9 };

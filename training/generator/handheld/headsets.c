@@ -1,6 +1,6 @@
 /* Draws headsets: a visor that tips up or slides forward on its band, ear cups that swivel on a bow, the wheel that
  * tightens the strap. The face looks to +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/thumbs.h"
 

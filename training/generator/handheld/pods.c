@@ -1,7 +1,7 @@
 /* Draws hand-held housings with a finger lever let into the shell: it fills an opening as a button would, flush or a
  * little proud, round or long, and turns about a hidden pin near one of its ends; similar-looking ones slide.
  * Controllers with a rounded head, tools with a trigger, plain handles. Forward is +Z, up +Y. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/thumbs.h"
 
 /* ---- the housing: an ellipsoid or rounder box, its reach to either side of its middle its own ---- */

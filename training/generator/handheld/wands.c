@@ -1,6 +1,6 @@
 /* Draws motion and play controllers of unusual bodies: flat pebbles, wands with a ball, bars with a key pad, rings
  * held by a spoke, light guns, halves joined by a band. +Y is forward, +Z out of the thumb's face. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/thumbs.h"
 
 enum { ROUND = 20, LAYERS = 7 };

@@ -1,5 +1,5 @@
 /* Draws clothes airers: frames of thin bars on folding legs, towers of racks, umbrella lines, wall racks. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Lengths in metres. */

@@ -1,5 +1,5 @@
 /* Draws household things: lamps, kettles, latches, folding screens, whole kitchen counters, ladders, swings, vices. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- desk lamp ---- */

@@ -1,6 +1,6 @@
 /* Draws stage and studio lights: a head that tilts in a yoke which pans below a clamp, on a stand, a base or the
  * floor; before its lens a frame that turns, with barn doors, a slide for colour or a hood. The beam goes to +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef enum head_kind { HEAD_CAN, HEAD_BELL, HEAD_BOX, HEAD_TUBE, HEAD_PANEL, HEAD_ROBOT } head_kind;

@@ -1,5 +1,5 @@
 /* Draws tripods: legs that spread round a middle, telescoping tubes, their locks, and the head on top. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Lengths in metres. The shoulder's middle is the origin; legs hang from pins round it, drawn folded. */

@@ -1,5 +1,5 @@
 /* Draws bench instruments of a laboratory: measuring sets with bails, plug-ins and racks; centrifuges. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/switches.h"
 

@@ -1,6 +1,6 @@
 /* Draws round instruments: a dial in a case, needles and cards that turn about its middle, knobs at the bezel's
  * corners. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/switches.h"
 

@@ -1,6 +1,6 @@
 /* Draws flight instruments without a central needle: horizon balls in rings, floating cards, drums of figures,
  * tapes, bars hung at the rim, flags, a ball in a curved tube. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/switches.h"
 

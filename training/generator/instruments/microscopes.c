@@ -1,5 +1,5 @@
 /* Draws microscopes: students' stands that lean on a pin, laboratory stands of one piece, stereo heads on a boom. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* The optical axis is the Y axis, the arm stands behind it at z = -reach. */

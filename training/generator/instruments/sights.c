@@ -1,5 +1,5 @@
 /* Draws instruments that measure angles by sight: theodolites on their foot screws, sextants and similar ones. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- theodolite ---- */

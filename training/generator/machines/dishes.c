@@ -1,5 +1,5 @@
 /* Draws dishes and radars: a reflector on a fork, a pole, a tripod or a tower. It looks to +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct dish_style {

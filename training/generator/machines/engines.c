@@ -1,6 +1,6 @@
 /* Draws engines as models and cut-open ones show them: upright, V and star engines with their valves, mill engines
  * on a bed, beam engines. A piston slides, its rod swings on it, crank and flywheel turn as one. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/cranks.h"
 #include "parts/hardware.h"
 

@@ -1,6 +1,6 @@
 /* Draws lathes for metal and wood, and turning centres behind doors: the bed carries the saddle, the saddle the
  * cross slide; spindles, hand wheels and levers turn on what they move. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/shop.h"
 

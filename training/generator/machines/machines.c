@@ -1,5 +1,5 @@
 /* Draws machines of halls, workshops and fairgrounds, and hand-held power tools. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- curved covers: they turn about a line far from themselves ---- */

@@ -1,6 +1,6 @@
 /* Draws mechanisms of textbooks, test benches and automata: slider-cranks, yokes, slotted levers, cams under
  * followers that slide or tip. The crank turns about +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/cranks.h"
 #include "parts/hardware.h"
 

@@ -1,6 +1,6 @@
 /* Draws knee mills, drill presses on a round column, machining centres behind doors: tables on slides, spindles in
  * quills, wheels and levers that feed them. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/cranks.h"
 #include "parts/hardware.h"
 #include "parts/shop.h"

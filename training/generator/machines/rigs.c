@@ -1,6 +1,6 @@
 /* Draws rigs of links: arms that a cylinder raises, toggle clamps, lazy tongs and pantographs, current collectors. A
  * cylinder's barrel swings about its foot, and its rod slides in it. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/cranks.h"
 #include "parts/hardware.h"
 

@@ -1,5 +1,5 @@
 /* Draws things that turn: fans, propellers, turbines, clocks, globes, radars, turntables. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a rotor about Z at the origin, facing +Z: hub and blades. */

@@ -1,6 +1,6 @@
 /* Draws solar panels: satellite wings, cases that fold out, trackers. Chains of equal leaves, each hung on the one
  * before. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct leaf_style {

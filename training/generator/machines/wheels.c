@@ -1,5 +1,5 @@
 /* Draws wheels under things. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct wheel_set {

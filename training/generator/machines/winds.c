@@ -1,6 +1,6 @@
 /* Draws wind-driven machines: power turbines with slender blades, windmills with sails, vanes, cups and socks on
  * masts. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a blade along +X from the hub, about Z: wide near its root, thin at the tip, twisted. */

@@ -1,6 +1,6 @@
 /* Draws wind instruments: brass with valves that are pressed or turned by levers, slides that draw out and water
  * keys; woodwind with cups on long hinge rods and levers across them. Brass is blown towards +Z, woodwind stands. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- brass: the bell's tube and the mouth pipe run along Z, one above the other ---- */

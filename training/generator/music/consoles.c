@@ -1,6 +1,6 @@
 /* Draws sound consoles: synthesisers with wheels beside their keys, mixing desks of channel strips, pads and jog
  * wheels, boards of effect pedals. The player is at +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "music/manuals.h"
 #include "parts/hardware.h"
 

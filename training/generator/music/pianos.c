@@ -1,6 +1,6 @@
 /* Draws instruments with a row of keys: uprights, grands and reed organs with their lids, fallboards, props, pedals
  * and stools; stage keyboards with wheels, faders and pads. The player sits at +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "music/manuals.h"
 #include "parts/hardware.h"
 

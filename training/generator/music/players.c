@@ -1,6 +1,6 @@
 /* Draws record players: a platter, an arm that swings in over it and lifts, or runs along a rail; a dust lid; in a
  * plinth, a suitcase, a cabinet on legs, or a box with a horn and a crank. The listener is at +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef enum housing { HOUSE_PLINTH, HOUSE_CASE, HOUSE_CABINET, HOUSE_HORN, HOUSE_KINDS } housing;

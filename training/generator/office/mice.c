@@ -1,5 +1,5 @@
 /* Draws computer mice: keys on the shell's front, the wheel between them, thumb keys, the battery cover. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/thumbs.h"
 

@@ -1,6 +1,6 @@
 /* Draws portable computers by the place of their hinge: raised on the base, dropped behind it, inside its edge, far
  * from it. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct notebook {

@@ -1,5 +1,5 @@
 /* Draws desk machines: printers, cameras, remotes, keyboards, telephones with keys. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- printer ---- */

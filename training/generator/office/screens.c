@@ -1,5 +1,5 @@
 /* Draws displays on stands of every kind, and portable computers with unusual connections between their halves. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct screen {

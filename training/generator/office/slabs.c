@@ -1,5 +1,5 @@
 /* Draws things of two halves about a line: laptops, telephones, staplers, tools. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Keys as parts of the body or joints of their own, on y = 0 facing up, over width x depth centred at the origin. */

@@ -1,5 +1,5 @@
 /* Draws desk tools with a blade: paper trimmers, hole punches, tape dispensers. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- a trimmer: a board, and a knife that swings down beside it or runs along a rail over it ---- */

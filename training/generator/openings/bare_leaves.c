@@ -1,7 +1,7 @@
 /* Draws leaves as game artists ship them, without a frame: pairs of doors, gates and trapdoors that touch only each
  * other, hung outside; one leaf alone; and what looks like a pair but is not hung so: boards and books that fold at the
  * seam, panels that slide apart, flaps side by side. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 enum { OUTLINE = 10 };

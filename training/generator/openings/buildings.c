@@ -1,5 +1,5 @@
 /* Draws doors of large buildings: hangars, garages, drawbridges. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a hall, open in front at z = 0: flat, gabled or round roof. */

@@ -1,6 +1,6 @@
 /* Draws pressure hatches: a leaf on a coaming with its hand wheel, dogs, bolts or strongback; upright in a bulkhead,
  * flat on a deck, at the ends of a chamber. The coaming's rim lies in z = 0, the leaf before it; +Z is outside. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 enum { RIM = 24 };

@@ -1,5 +1,5 @@
 /* Draws doors and windows of buildings, with their frames. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a wall round an opening of width x height whose sill is at y = 0, front at z = 0. */

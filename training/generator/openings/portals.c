@@ -1,7 +1,7 @@
 /* Draws doors of stations and starships: leaves that part along straight, slanted or toothed seams, slide into
  * corners, fold out as petals, turn or slide as the blades of an iris, run one behind another. They stand in the x,
  * y plane; +Z is towards the player. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- outlines: convex ones about the origin, counter-clockwise ---- */

@@ -1,7 +1,7 @@
 /* Draws secret doors as games build them: bookcases that swing or slide, a wall that turns about its middle, stones
  * that draw back, sink or rise, slabs over a pit, and their triggers: a book, a sconce, a brick, a picture, a bust,
  * a plate in the floor. The wall's front is z = 0, the floor y = 0. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct site {

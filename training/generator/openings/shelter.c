@@ -1,6 +1,6 @@
 /* Draws shelters and large halls as simulators model them: the end wall itself is the door, whatever its outline.
  * The door looks to +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 enum { HALF_POINTS = 8, FULL_POINTS = 2 * HALF_POINTS };

@@ -1,7 +1,7 @@
 /* Draws water gates: gates in grooves drawn up by wheels, racks and cranks, gates that turn on a sill or on arms,
  * lock gates with their paddles, flaps on pipes. Upstream is -Z; the keeper stands at +Z. */
-#include "categories.h"
 #include "core/arcs.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- what they share ---- */

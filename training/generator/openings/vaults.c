@@ -1,6 +1,6 @@
 /* Draws stone and iron props of dungeons and yards: coffins whose lids slide, slew or hang on hinges, wells with a
  * windlass, gates that are drawn up in grooves, cell doors with their bolts. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- coffins ---- */

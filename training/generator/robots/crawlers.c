@@ -1,5 +1,5 @@
 /* Draws robots for rough ground: tracks with flippers, rockers and bogies, wheels on legs and arms. They look to +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- tracks ---- */

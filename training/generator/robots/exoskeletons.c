@@ -1,6 +1,6 @@
 /* Draws exoskeletons: bars, drums and cuffs along the limbs of an absent wearer. They look to +Z; outwards of a side
  * is +X. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct exo {

@@ -1,6 +1,6 @@
 /* Draws hands unlike human ones: three fingers round a palm, prostheses with one-piece fingers, hooks, scoops. The
  * palm's face is z = 0, fingers reach to +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct digit {

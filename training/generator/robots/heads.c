@@ -1,6 +1,6 @@
 /* Draws sensor heads: dome and bullet cameras, scanners that spin or nod, stereo heads, eyes with lids, masts that
  * fold. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- cameras of buildings ---- */

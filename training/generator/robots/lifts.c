@@ -1,5 +1,5 @@
 /* Draws lifting and travelling axes: scissors, columns, telescopes, forks, stacked axes, legs that reach. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- lifts ---- */

@@ -1,6 +1,6 @@
 /* Draws bare linkages: claws, legs of plain bars driven by discs, brackets. Links are plain shapes that run into
  * each other at their ends: no hub shows where they turn. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a straight link: box, rod, tapered, rounded box, open channel. It reaches beyond both pivots by `over`. */

@@ -1,6 +1,6 @@
 /* Draws industrial manipulators: arms of round housings with offset axes, SCARA arms, gantries, jaws on guides,
  * hands. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- arms of housings ---- */

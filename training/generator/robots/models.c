@@ -1,6 +1,6 @@
 /* Draws robot models as description files hold them: bare boxes, cylinders, capsules and balls that overlap at their
  * joints or float apart. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct bare {

@@ -1,6 +1,6 @@
 /* Draws parallel robots, whose plate is moved by several legs at once: deltas, hexapods, five-bars. Each leg is a
  * tree of its own, as robot description files cut the loops. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct parallel {

@@ -1,6 +1,6 @@
 /* Draws robots and the objects they handle as collision shapes: a box, a cylinder, a capsule or a ball for each
  * link. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct prim {

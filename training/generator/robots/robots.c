@@ -1,5 +1,5 @@
 /* Draws robots and cranes: arms, grippers, legs, mounts that pan and tilt, carriages on rails, jetways and cranes. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- links ---- */

@@ -1,5 +1,5 @@
 /* Draws legs of plates and motor drums, and hands of finger chains. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- legs ---- */

@@ -1,6 +1,6 @@
 /* Draws arcade cabinets, pinball tables, music boxes and jacks-in-the-box, and the carts from which such things are
  * sold. The player stands at +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- things on a face: z = 0, +Z towards the player ---- */

@@ -1,6 +1,6 @@
 /* Draws play panels between posts: drums that turn on rods, beads that slide along them, wheels, gears, flaps, pucks
  * in slots, bolts, clocks. The child stands at +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Drums, cubes or prisms on upright rods: they turn. Beads on level rods: they slide. Alike but for their rods. */

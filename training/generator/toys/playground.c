@@ -1,5 +1,5 @@
 /* Draws playground equipment: see-saws, roundabouts, spring rockers, swings, sand diggers. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- what they share ---- */

@@ -1,6 +1,6 @@
 /* Draws lorries at work: turntable ladders and lifting platforms, tankers, box bodies with shutters, lockers and
  * tail lifts. Ahead is +Z; a lorry's rear end is z = 0. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/trucks.h"
 

@@ -1,6 +1,6 @@
 /* Draws gun vehicles and mounts: hulls on tracks or wheels with a turret, a gun in the hull's front or a troop bay
  * with a ramp; guns on a drum. Turrets turn, guns rise and recoil, hatches swing, swivel or slide. Ahead is +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 

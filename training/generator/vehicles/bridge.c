@@ -1,6 +1,6 @@
 /* Draws airport passenger bridges: a fixed walk, a drum that turns, tunnels that tip and telescope on a wheeled
  * frame, a cab that turns on its own drum, a hood that meets the aircraft. They reach to +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct bridge {

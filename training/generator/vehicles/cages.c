@@ -1,6 +1,6 @@
 /* Draws mine carts on rails whose tub tips or whose gates swing, and pump trolleys; lift cages between guides,
  * platforms on a mast, dumb waiters. Carts run along Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 

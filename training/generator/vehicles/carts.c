@@ -1,6 +1,6 @@
 /* Draws market carts: hand carts with a shade, hinged counters, drawers and doors in their side, pots with lids on
  * top. The seller stands at -Z, the street is at +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct cart {

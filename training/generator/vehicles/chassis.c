@@ -1,6 +1,6 @@
 /* Draws rolling chassis as simulators and games have them: wheels that steer, spring and trail, the seat's controls;
  * and wheelchairs. Nose to +Z, standing on y = 0. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- corners: how a wheel is carried ---- */

@@ -1,7 +1,7 @@
 /* Draws buses, coaches and rail cars: a shell with openings for doors or a plain block, doors and flaps in its
  * sides, roof and ends, wheels or bogies, and current collectors. Ahead is +Z; the sides are drawn for +X and
  * mirrored. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/coach_doors.h"
 #include "parts/works.h"
 

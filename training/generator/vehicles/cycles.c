@@ -1,6 +1,6 @@
 /* Draws bicycles and motorcycles in detail: controls on the bars, cranks, pegs, stands, sprung forks and swing arms,
  * saddles, cases with lids. Ahead is +Z; the axle line is X. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct cycle {

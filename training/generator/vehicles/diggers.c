@@ -1,6 +1,6 @@
 /* Draws excavators and backhoes: a house that slews, a bent boom, a stick with its tail, a bucket, a thumb, a
  * breaker or a grab; rams that are still, jointed or left out. Ahead is +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 

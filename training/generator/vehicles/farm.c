@@ -1,6 +1,6 @@
 /* Draws farm machines: tractors with a bonnet and a linkage that carries tools behind, combines with a header, a
  * reel and a pipe that swings out, tools whose wings fold. Ahead is +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 

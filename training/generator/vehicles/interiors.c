@@ -1,7 +1,7 @@
 /* Draws the inside of a car: the dash with its glove box, vents and column, the console between the seats, seats on
  * rails, visors and handles under the roof, the doors from within. Occupants look to -Z; the driver is at -X (or all
  * is mirrored). */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 #include "vehicles/vehicle_seats.h"

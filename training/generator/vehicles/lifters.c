@@ -1,6 +1,6 @@
 /* Draws lifting and loading vehicles: forklifts and stackers with their masts, belt loaders, aircraft stairs. Ahead
  * is +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 

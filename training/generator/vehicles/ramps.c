@@ -1,5 +1,5 @@
 /* Draws belt loaders and telescopic stairs for aircraft. Ahead is +Z, uphill. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 

@@ -1,6 +1,6 @@
 /* Draws lorries and tippers: beds with tailgates and boards, rock dumpers, trailers, front skips. Ahead is +Z; a
  * lorry's rear end is z = 0. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/trucks.h"
 

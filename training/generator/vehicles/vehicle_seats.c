@@ -2,7 +2,7 @@
  * arm rests that swing up, trays on the back of them, cushions that tip up. They look to -Z. */
 #include "vehicles/vehicle_seats.h"
 
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 

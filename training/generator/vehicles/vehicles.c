@@ -1,5 +1,5 @@
 /* Draws cars, two-wheelers, delivery robots, trolleys. Nose to +Z, standing on y = 0. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* A wheel about X at (x, radius, z), perhaps on a steered knuckle or a sprung one. */

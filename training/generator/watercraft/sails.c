@@ -1,6 +1,6 @@
 /* Draws sailing and working boats: booms, yards and derricks on their masts, rudders with tillers, boards that swing
  * or slide, winches, anchors, hatches. The bow is +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 

@@ -1,6 +1,6 @@
 /* Draws vessels: remotely operated vehicles whose small screws sit deep in their ducts, torpedoes with fins that
  * turn whole, boats with outboard motors. Bow to +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/wings.h"
 

@@ -1,6 +1,6 @@
 /* Draws arms as first-person games model them: revolvers, bolt, pump and break-action guns, carbines with magazine,
  * cover and folding stock, flintlocks, crossbows. The muzzle is at +Z, the line of the barrel y = 0. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- what they share ---- */

@@ -1,6 +1,6 @@
 /* Draws siege engines and old artillery as props: cannon on carriages, ballistas, catapults with a windlass,
  * trebuchets with a hung weight. They shoot towards +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- what they share ---- */

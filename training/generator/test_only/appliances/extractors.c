@@ -1,6 +1,6 @@
 /* Draws cooker hoods with visors, flaps, filters and controls, on the wall, under a cabinet, over an island or out
  * of the worktop; and fans in walls behind slats or covers. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 

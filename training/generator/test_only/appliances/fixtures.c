@@ -1,6 +1,6 @@
 /* Draws fixtures of kitchens and bathrooms: toilets and bidets with rings, lids, cisterns and levers; hobs and
  * cookers with taps, grates that lift, a lid, ovens and a drawer. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 enum { OVAL = 20 };

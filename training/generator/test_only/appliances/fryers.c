@@ -1,6 +1,6 @@
 /* Draws cooking and washing pots of the worktop: air fryers with a drawer, a lid or an oven door, rice, slow and
  * pressure cookers, salad spinners. */
-#include "categories.h"
+#include "core/build.h"
 #include "core/skins.h"
 #include "parts/hardware.h"
 

@@ -1,6 +1,6 @@
 /* Draws mills turned by hand: columns whose head turns, boxes with a drawer under a crank, tubes with a jar, mincers
  * clamped to a table. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a crank on a vertical shaft at y: an arm straight, cranked up or curved, a knob at its end that may turn. */

@@ -1,6 +1,6 @@
 /* Draws openers: corkscrews with wings, with one long lever, of waiters; tin openers held in the hand or on the
  * wall. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws the worm of a corkscrew along -Y from the origin. */

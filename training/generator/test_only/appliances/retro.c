@@ -1,6 +1,6 @@
 /* Draws appliances in rounded and bevelled housings: fridges of the fifties, microwaves under a curved front, small
  * ovens, dishwasher drawers, tubs with lids, dryers with round doors; and toasters, presses with a lid. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 

@@ -1,6 +1,6 @@
 /* Draws bathroom fittings: cabins with hung, folding and sliding doors, screens on baths, rails with heads that
  * slide and tilt, mixers; towel arms, paper holders, soap dishes and mirrors on arms. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- on a wall whose face is z = 0 ---- */

@@ -1,6 +1,6 @@
 /* Draws small tools of two levers about one pin: garlic and lemon presses, nutcrackers, tongs, punches, ice-cream
  * scoops. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- two levers on a pin: they run along +X from the pin, which lies along Z; the upper one moves ---- */

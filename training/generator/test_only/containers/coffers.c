@@ -1,6 +1,6 @@
 /* Draws safes in floors, walls and hotels, lockers, gun safes with thick doors on outside pins; and soft luggage:
  * trolleys that open in halves, briefcases, bags under a flap. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- safes: front at z = 0, the opening centred at the origin of the frame ---- */

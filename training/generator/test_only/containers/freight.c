@@ -1,6 +1,6 @@
 /* Draws freight containers with doors, locking bars and cooling machines, waste containers with rams and flaps,
  * stillages with drop sides. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/shop.h"
 

@@ -1,6 +1,6 @@
 /* Draws pocket things that fold or slide: game consoles, telephones, organisers, mirrors, jewel boxes, spectacle
  * cases, tins. The hinge lies at the slabs' rear edge, between them; the lid rises from +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- two slabs and the barrel behind them ---- */

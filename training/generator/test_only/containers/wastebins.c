@@ -1,6 +1,6 @@
 /* Draws bins by their lids: domes and split lids over a pedal, swing and push lids, barrels on two wheels, and
  * fronts that tilt or draw out with a bucket. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 typedef struct bin {

@@ -1,6 +1,6 @@
 /* Draws the controls on a cycle's or motorcycle's bar: brake and clutch levers, twist grips, shifters, a bell,
  * switch pods. The rider is at -Z; each half of the bar has its own frame, +X outwards along the grip. */
-#include "categories.h"
+#include "core/build.h"
 #include "core/lofts.h"
 #include "parts/hardware.h"
 #include "parts/thumbs.h"

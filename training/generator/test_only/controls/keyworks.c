@@ -1,6 +1,6 @@
 /* Draws keys and switches in numbers: levers on rods along a wind instrument's tube, typewriters, telegraph keys,
  * accordions; panels, flat or curved, full of guarded toggles, rockers, selectors, pulls and breakers. */
-#include "categories.h"
+#include "core/build.h"
 #include "core/lofts.h"
 #include "parts/hardware.h"
 #include "parts/thumbs.h"

@@ -1,6 +1,6 @@
 /* Draws hand and foot controls on a hidden shaft: aircraft throttle quadrants, racing wheels with paddles and
  * pedals, foot pedals of music and machines. */
-#include "categories.h"
+#include "core/build.h"
 #include "core/lofts.h"
 #include "parts/hardware.h"
 #include "parts/thumbs.h"

@@ -1,6 +1,6 @@
 /* Draws old furniture: cabinets under cornices on turned legs, arched and bowed doors, bombe chests, writing flaps
  * on lopers, chests of many drawers. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 

@@ -1,6 +1,6 @@
 /* Draws light folding and portable things: stools on crossed legs, camp tables on folding frames, hampers and litter
  * boxes with swinging flaps. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws two frames crossed on a pin: one stays, the other folds onto it. The seat hangs between their upper rails. */

@@ -1,5 +1,5 @@
 /* Draws projectors for screens, slides and films, drafting tables and easels, and telephones. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- projectors: the lens looks to +Z ---- */

@@ -1,6 +1,6 @@
 /* Draws modern fronts without handles: larders that draw out with their shelves, lift-up and folding fronts, beds
  * over drawers, tippers, benches; and glass cases: vitrines, sliding panes, lids over a showcase. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* A body of boards, its front at z = 0 on the floor or a plinth. */

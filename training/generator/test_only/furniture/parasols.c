@@ -1,6 +1,6 @@
 /* Draws folding things of house and garden: ironing boards on crossed legs, on short legs or in the wall; parasols
  * with ribs, a runner, a tilt joint, a crank, a boom. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- ironing board ---- */

@@ -1,6 +1,6 @@
 /* Draws pushchairs and prams with swivelling wheels, hoods and bars, and high chairs with trays. */
-#include "categories.h"
 #include "core/arcs.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- pushchair ---- */

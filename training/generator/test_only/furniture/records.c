@@ -1,6 +1,6 @@
 /* Draws filing cabinets, plan chests, card indexes, doors that recede, rolling fronts; computer cases and server
  * racks. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 static dmg_vec pick_size(dmg_builder* b, float x0, float x1, float y0, float y1, float z0, float z1) {

@@ -1,5 +1,5 @@
 /* Draws stools on gas lifts or screws, rocking and gaming chairs; lamps on jointed arms, poles and tripods. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- lamps ---- */

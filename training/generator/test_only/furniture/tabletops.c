@@ -1,6 +1,6 @@
 /* Draws tables with further parts: desks over keyboard trays, lift-up and swivelling tops, gate-leg leaves, sewing
  * cabinets, dressing tables under three mirrors, benches with vises; drawers on many kinds of pulls. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* x and z centred; t: of the boards. */

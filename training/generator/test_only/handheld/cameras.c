@@ -1,6 +1,6 @@
 /* Draws photo cameras: a body with a grip, dials and levers on its deck, rings round the lens, a flash that pops up,
  * backs, screens and doors that open; twin-lens boxes with a hooded finder. The lens looks to +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "core/lofts.h"
 #include "parts/hardware.h"
 #include "parts/thumbs.h"

@@ -1,6 +1,6 @@
 /* Draws binoculars that fold about their bridge, opera glasses, night-vision goggles; lanterns with globes and
  * doors, torches, head lamps. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- binoculars: they look to +Z ---- */

@@ -1,6 +1,6 @@
 /* Draws model makers' transmitters: sticks in gimbals let into a smooth shell, trims, switches on its shoulders, an
  * aerial that folds, a screen that tilts; or a wheel and a trigger on a grip. The face looks to +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "core/lofts.h"
 #include "parts/hardware.h"
 #include "parts/thumbs.h"

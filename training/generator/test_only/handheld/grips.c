@@ -1,6 +1,6 @@
 /* Draws controls held in one hand, as bent shells: a tilted face on a grip with a hoop for the cameras, pebbles and
  * wands with a touch disc, aircraft sticks on a gimballed base, gun-shaped controllers. Forward is +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "core/lofts.h"
 #include "parts/hardware.h"
 #include "parts/thumbs.h"

@@ -1,6 +1,6 @@
 /* Draws tools that a hand squeezes: grip trainers, pruning shears, staple guns, spray bottles, hose nozzles, glue
  * guns, a brake lever between seats. Forward is +Z; levers are bent shells on pins inside the body. */
-#include "categories.h"
+#include "core/build.h"
 #include "core/lofts.h"
 #include "parts/hardware.h"
 #include "parts/thumbs.h"

@@ -1,5 +1,5 @@
 /* Draws radios: portable ones with aerials, bows and cassette doors, walkie-talkies, bedside sets. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- what they share ---- */

@@ -1,6 +1,6 @@
 /* Draws players of tapes, discs and cartridges: camcorders, reel machines, cassette players, video recorders, and
  * game consoles with lids, trays and flaps. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- what they share ---- */

@@ -1,5 +1,5 @@
 /* Draws watches on straps, on bracelets and in pockets; metronomes. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- a watch: the dial faces +Z at z = 0, twelve is up ---- */

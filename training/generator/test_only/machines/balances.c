@@ -1,6 +1,6 @@
 /* Draws balancing systems of control theory: a pole on a cart, double pendulums, a ball on a beam, a pendulum on a
  * turning arm, a body on two wheels; of a few plain shapes. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a link from the origin along +Y that turns about Z: a rod, a bar, a capsule, with a weight at its end. */

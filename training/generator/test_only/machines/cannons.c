@@ -1,6 +1,6 @@
 /* Draws things that throw water or light from a pivot: water cannons, searchlights, signal lamps with slats,
  * beacons. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/walls.h"
 #include "parts/works.h"
 

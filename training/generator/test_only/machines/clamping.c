@@ -1,6 +1,6 @@
 /* Draws clamps that close by screws, jaws, toggles and springs, and measuring tools: calipers, micrometers, dials on
  * stands, height gauges, bevels. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- clamps, drawn upright in x, y; the work lies between their jaws ---- */

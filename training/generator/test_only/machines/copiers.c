@@ -1,5 +1,5 @@
 /* Draws copiers with feeders, trays and doors; cash registers, card terminals, cash dispensers. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a flap on z = 0, hung below or at its side, `at` its middle. */

@@ -1,6 +1,6 @@
 /* Draws drills: on a column, with a quill fed down by a capstan or a head that slides; with tables that rise, swing
  * and tilt, and belts under lids; magnetic drills on a dovetail. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/shop.h"
 

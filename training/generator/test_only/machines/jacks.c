@@ -1,6 +1,6 @@
 /* Draws hand-operated lifting gear: scissor, bottle and trolley jacks, engine hoists; winches, chain blocks,
  * windlasses, hose reels. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 

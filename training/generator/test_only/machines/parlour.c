@@ -1,6 +1,6 @@
 /* Draws games that are machines: table football, roulette, fruit machines, cabinets for darts, baskets, table
  * tennis. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- table football: rods that slide through the walls and turn, men on them ---- */

@@ -1,6 +1,6 @@
 /* Draws factory equipment: conveyors of rollers, wheels and belts with gates, arms and stops; boilers, autoclaves,
  * furnaces and kilns with their doors, bolts, dampers and gauges. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/shop.h"
 

@@ -1,7 +1,7 @@
 /* Draws saws of the workshop: mitre saws that turn, tilt, slide and chop, table saws with fences and gauges, band
  * saws with doors and horizontal ones with a bow. */
-#include "categories.h"
 #include "core/arcs.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/shop.h"
 

@@ -1,5 +1,5 @@
 /* Draws gym machines: exercise bicycles, towers with weights, benches whose backs are raised, rowers. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a tube that slides in one that stands; a pin beside it holds it. Leaves the slider in use. */

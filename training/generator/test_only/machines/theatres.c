@@ -1,6 +1,6 @@
 /* Draws operating-room equipment: x-ray machines with a C-shaped arm or a tube on ceiling rails, lamps on linked
  * arms. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Draws a fork on a stem that turns, a wheel in it; the stem's top is at the origin, the ground `high` below. */

@@ -1,5 +1,5 @@
 /* Draws large-wheeled toys: tippers, cranes with a crank, cars whose doors and bonnets open; wind-up animals. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* Ahead is +Z; z centred. */

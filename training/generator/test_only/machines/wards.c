@@ -1,6 +1,6 @@
 /* Draws ward and clean-room equipment: incubators with hoods, port doors, drawers and a tilting bed; isolators with
  * glove ports. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- ports: round doors on z = 0 facing +Z ---- */

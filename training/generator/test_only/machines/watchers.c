@@ -1,6 +1,6 @@
 /* Draws cameras that are aimed: bullets on jointed brackets, eyeballs and domes in housings, heads that pan on a
  * yoke, carriages on rails, gimbals of three motors. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- what films ---- */

@@ -1,6 +1,6 @@
 /* Draws jointed wall arms with a screen, a mirror or a lamp, and scissor arms; wire pet crates and carriers with
  * doors and latches. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 
 /* ---- wall arm ---- */

@@ -1,6 +1,6 @@
 /* Draws leaves of cellars, stables and saloons without a frame: pairs built of boards on ledges, of slats or of bars,
  * hung at their outer edges by straps, pins or nothing that shows. */
-#include "categories.h"
+#include "core/build.h"
 
 /* What a leaf is built of. */
 enum { BOARDS, SLATS, BARS, PLATE, BUILDS };

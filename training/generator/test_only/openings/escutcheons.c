@@ -1,6 +1,6 @@
 /* Draws door furniture on a piece cut out of a door: lever handles, thumb-turns, knobs, bolts, latches, hasps,
  * keyhole covers, letter flaps, knockers, chains, window handles. The door's face is z = 0. */
-#include "categories.h"
+#include "core/build.h"
 #include "core/lofts.h"
 #include "parts/hardware.h"
 

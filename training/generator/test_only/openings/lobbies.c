@@ -1,6 +1,6 @@
 /* Draws doors of lobbies: drums with wings about a post and night doors round them, automatic doors that slide or
  * swing; lift landings with telescopic, centre-opening, folding and rising doors, the car behind them. */
-#include "categories.h"
+#include "core/build.h"
 #include "core/skins.h"
 #include "parts/hardware.h"
 

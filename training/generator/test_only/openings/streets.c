@@ -1,6 +1,6 @@
 /* Draws hydrants with caps, operating nuts and hose reels; boxes of meters, fuses and breakers with doors in doors,
  * knife switches and isolators. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/shop.h"
 

@@ -1,6 +1,6 @@
 /* Draws vents and skylights: smoke vents, greenhouses, louvre windows, dampers of ducts, awnings, turning cowls on
  * roofs. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/shop.h"
 

@@ -1,6 +1,6 @@
 /* Draws decks of ships, bow to +Z: derricks, cranes and davits, hatch covers that fold, roll or tip, windlass and
  * capstan, tight doors with their clips, a bow that lifts or parts, a ramp at the stern. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/walls.h"
 
 typedef struct deck {

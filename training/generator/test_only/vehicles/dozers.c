@@ -1,5 +1,5 @@
 /* Draws earthmovers: bulldozers with blade and ripper, graders, road rollers. Front is +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/walls.h"
 #include "parts/works.h"
 

@@ -1,7 +1,7 @@
 /* Draws gliders: airbrakes that rise out of the wing or turn in it, canopies hung at the side, ahead or behind,
  * control surfaces whose lines follow the wing or stand square to the hull, a wheel that folds away, a tow hook; and
  * their trailer. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/walls.h"
 #include "parts/wings.h"
 

@@ -1,5 +1,5 @@
 /* Draws cable cars with doors, grips and hangers, chairs with bars and bubbles, and the bull wheel they turn round. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/walls.h"
 #include "parts/works.h"
 

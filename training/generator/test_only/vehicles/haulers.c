@@ -1,6 +1,6 @@
 /* Draws lorries with machines on their backs: concrete mixers, refuse lorries, sweepers; fire engines with ladders,
  * shutters, lockers, outriggers, monitors. The rear end is z = 0. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/trucks.h"
 #include "parts/walls.h"
 

@@ -1,6 +1,6 @@
 /* Draws spacecraft that land: legs that fold or give way, foot pads, petals, hatches, nozzles in gimbals, dishes and
  * panels. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/walls.h"
 #include "parts/works.h"
 

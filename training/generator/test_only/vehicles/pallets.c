@@ -1,6 +1,6 @@
 /* Draws pallet trucks and dock equipment: hand trucks with their drawbars, stackers with a mast, ride-on trucks with
  * a steering wheel, dock levellers with a lip, scissor tables. Forks and ramps point to +Z. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/hardware.h"
 #include "parts/works.h"
 

@@ -1,6 +1,6 @@
 /* Draws railway trackside equipment: semaphores, crossing gates, lever frames, points, turntables, water cranes,
  * buffer stops. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/walls.h"
 
 /* ---- arms on a mast ---- */

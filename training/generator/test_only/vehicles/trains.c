@@ -1,6 +1,6 @@
 /* Draws locomotives: steam engines with the doors and flaps of boiler, cab and tender; diesels with doors, fans,
  * hatches. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/rails.h"
 #include "parts/shop.h"
 #include "parts/walls.h"

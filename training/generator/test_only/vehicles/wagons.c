@@ -1,5 +1,5 @@
 /* Draws rail wagons: hopper doors below, sliding doors, drop sides, tanks with hatches and valves, stakes. */
-#include "categories.h"
+#include "core/build.h"
 #include "parts/rails.h"
 #include "parts/walls.h"
 
