@@ -6,7 +6,7 @@ cd "$(dirname "$0")/../.."
 out=${1:?make_props.sh OUT [SEEDS]} seeds=${2:-3} tools=build/release work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$out"
-for category in kitchen_cabinet cabinet drawers table wardrobe nightstand showcase vanity corner_cabinet sliding_cabinet oven \
+for category in kitchen_cabinet cabinet drawers table wardrobe nightstand showcase slab_cabinet desk_hutch sliding_cabinet oven \
     refrigerator dishwasher washing_machine safe chest; do
     for seed in $(seq 1 "$seeds"); do
         "$tools/dragmesh_generate" --category "$category" --seed "$seed" -o "$work/object" > "$work/log"

@@ -73,7 +73,7 @@ return function(game, picture)
         pull("kitchen_cabinet", "door_left", 0.55)
         pull("microwave", "door", 0.55)
         pull("chest", "lid", 0.75)
-        pull("period_cabinet", "door", 0.6)
+        pull("slab_cabinet", "door", 0.6)
         pull("door", "handle", 0.9, true)
         game.held = nil
         local leaf = pull("door", "door", 0.6, true)

@@ -30,7 +30,7 @@ return {
         { name = "chest", height = 0.55, at = { 0.75, 0, -1.2 }, turn = -25 * deg, paint = { body = walnut, parts = { 0.55, 0.33, 0.18 } }, parts = {
             lid = { rules = { tip_share = 0.55, fall_time = 0.6, restitution = 0.25 } },
         } },
-        { name = "period_cabinet", height = 1.5, at = { -3.0, 0, -0.2 }, turn = 60 * deg, paint = { body = walnut, parts = { 0.5, 0.33, 0.2 } } },
+        { name = "slab_cabinet", height = 1.5, at = { -3.0, 0, -0.2 }, turn = 60 * deg, paint = { body = walnut, parts = { 0.5, 0.33, 0.2 } } },
         { name = "globe", height = 0.8, at = { 2.7, 0, -0.6 }, paint = { body = brass, parts = sea }, parts = { globe = { feel = { coast_time = 1.2 } } } },
     },
 }
