@@ -1,7 +1,7 @@
 """The limit networks (sdk/kinematics/limits/limit_network.c): the sweeps of generated joints, and the candidate features that
 they are ranked by, in; weights out.
 
-    python -m dragmesh_training.limits make OUT.npz --weights KPP --prefilter PREFILTER --seed 5 --count 8000 [--split 1] [--only first]
+    python -m dragmesh_training.limits make OUT.npz --weights KPP --prefilter PREFILTER --seed 5 --count 8000 [--split 1]
     python -m dragmesh_training.limits fit A.npz B.npz --validate V.npz -o limits.safetensors
 
 They learn how probable each range is; the library answers with the range whose expected overlap with the true one is largest.
@@ -24,9 +24,8 @@ from .lab import LAB, chosen_kinds, names_by_id, open_lab, options_of
 
 ARRAYS = (("lower", np.float32), ("upper", np.float32), ("free", np.int32), ("category", np.int32), ("pose", np.float32),
           ("has_drag", np.int32))
-# Of what ships. Half of the cases are of the first kinds alone (DMG_SET_FIRST): the others that are trained on are machines and
-# robots for the most part, whose ranges would say too much about a kitchen's.
-SEEDS, VALIDATION_SEED, CASES, STEPS = (5, 15, 25, 35, 45, 55, 65, 75), 6, 8000, 20000
+# Of what ships.
+SEEDS, VALIDATION_SEED, CASES, STEPS = range(5, 165, 10), 6, 8000, 20000
 # Sizes of either side of a range, in rad or in the part's extent along the slide: in rad, the round angles are among them.
 SIZES = np.array([0, .01, .02, .035, .055, .08, .12, .175, .262, .349, .436, .524, .65, .785, .9, 1.047, 1.2, 1.38, 1.571,
                   1.833, 2.094, 2.5, 3.142, 4.2, 6.283], np.float32)
@@ -165,7 +164,7 @@ def fit(data, validation, steps, seed):
 def run_make(arguments):
     lab = open_lab(arguments.lab)
     kinematics, prefilter = (open(path, "rb").read() for path in (arguments.weights, arguments.prefilter))
-    chosen = chosen_kinds(lab, arguments.only)
+    chosen = chosen_kinds(lab, "trained")
     parts = [make(lab, kinematics, prefilter, arguments.seed * 1000003 + first, min(AT_ONCE, arguments.count - first),
                   arguments.split, chosen)
              for first in range(0, arguments.count, AT_ONCE)]
@@ -188,7 +187,7 @@ def ship(folder, kinematics, prefilter, out, some=str):
 
     validation, *files = case_files(run, folder, [
         cases("validation", VALIDATION_SEED, CASES // 2, "--split", "1"),
-        *(cases("first", seed, CASES, "--only", "first") for seed in SEEDS), *(cases("all", seed, CASES) for seed in SEEDS)])
+        *(cases("train", seed, CASES) for seed in SEEDS)])
     run(["fit", *files, "--validate", validation, "--steps", some(STEPS), "-o", out])
 
 
@@ -203,7 +202,6 @@ def run(words=None):
     one.add_argument("--seed", type=int, default=5)
     one.add_argument("--count", type=int, default=CASES)
     one.add_argument("--split", type=int, default=0)
-    one.add_argument("--only", choices=("trained", "first"), default="trained", help="kinds of objects (config.kinds_of)")
     one.set_defaults(run=run_make)
     two = commands.add_parser("fit")
     two.add_argument("data", nargs="+")

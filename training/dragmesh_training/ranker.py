@@ -30,7 +30,7 @@ from .files import save_arrays, write_whole
 from .lab import LAB, PULLS, chosen_kinds, names_by_id, open_lab, options_of
 
 GOOD = 0.02
-ONLY = ("trained", "first", "held", "paper", "test_only", "later")  # of config.kinds_of
+ONLY = ("trained", "held", "paper", "test_only", "later")  # of config.kinds_of
 # What ships is trained on so many cases of each seed: with the features of an earlier KPP-Net (EARLIER_COMMIT), and with
 # the shipped one's.
 CASES, STEPS, LEAST = 6000, 9000, 20

@@ -38,11 +38,10 @@ typedef struct dmg_object {
     uint32_t joint_count;
 } dmg_object;
 
-/* What a category may be used for (set in categories.h). Both of the first two are trained on. */
+/* What a category may be used for (set in categories.h). */
 enum {
-    DMG_SET_FIRST = 0,    /* trained on; the limits' networks draw half of their cases from these alone */
-    DMG_SET_TRAINED = 1,  /* trained on */
-    DMG_SET_TEST_ONLY = 2 /* never trained on nor validated on */
+    DMG_SET_FIRST = 0,    /* trained on */
+    DMG_SET_TEST_ONLY = 1 /* never trained on nor validated on */
 };
 
 /* The use of one object of a category: 18 of 20 seeds are for training, one each for validation and for test. */

@@ -9,7 +9,7 @@
 #define ALONG 0.9f /* cosine between an axis and the side of the box that it runs along; by hand */
 #define EDGE 0.6f  /* half sides from the middle of the box, from which an axis lies at an edge; by hand */
 
-/* Log-likelihoods, fitted by conditional logit on generated leaves of the category bare_leaves, and rounded. */
+/* Log-likelihoods, fitted by conditional logit on generated leaves of the retired category bare_leaves, and rounded. */
 #define OUTSIDE 5.0f    /* bonus of turns along the seam, at the side away from it */
 #define AT_SEAM (-4.0f) /* bonus of turns along the seam, at the seam */
 #define AT_END 3.0f     /* bonus of turns across the seam, at one of its ends: flaps side by side */

@@ -1,9 +1,7 @@
-/* Draws keys and switches in numbers: levers on rods along a wind instrument's tube, typewriters, telegraph keys,
- * accordions; panels, flat or curved, full of guarded toggles, rockers, selectors, pulls and breakers. */
+/* Draws keys in numbers: levers on rods along a wind instrument's tube, typewriters, telegraph keys, accordions. */
 #include "core/build.h"
 #include "core/lofts.h"
 #include "parts/hardware.h"
-#include "parts/thumbs.h"
 
 /* ---- levers on rods along a tube: the tube along X, its holes on top ---- */
 
@@ -208,110 +206,4 @@ void dmg_build_key_stack(dmg_builder* b) {
     if (kind == 1) draw_typewriter(b);
     if (kind == 2) draw_telegraph(b);
     if (kind == 3) draw_accordion(b);
-}
-
-/* ---- a panel of switches ---- */
-
-enum { SWITCH_KINDS = 12 };
-
-/* Draws a T or a ring on a rod that comes straight out; turned when it is out, in some. */
-static void draw_pull(dmg_builder* b, float size) {
-    float way = size * dmg_range(b, 0.3f, 0.9f), r = 0.08f * size;
-    bool turns = dmg_chance(b, 0.5f), bar = dmg_chance(b, 0.6f);
-    dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.12f * size), 2.6f * r);
-    uint32_t rod = dmg_slide(b, 0, "pull", v3(0, 0, 1), 0.0f, way);
-    dmg_rod(b, v3(0, 0, 0.12f * size - way), v3(0, 0, 0.4f * size), r);
-    if (turns) dmg_hinge(b, rod, "pull_handle", v3(0, 0, 0), v3(0, 0, 1), -1.2f, 1.2f);
-    if (bar)
-        dmg_capsule(b, v3(-0.35f * size, 0, 0.44f * size), v3(0.35f * size, 0, 0.44f * size), 1.2f * r);
-    else
-        dmg_rod(b, v3(0, 0, 0.4f * size), v3(0, 0, 0.52f * size), 3.2f * r);
-    dmg_use(b, 0);
-}
-
-/* Draws a lock: its key turns. */
-static void draw_key_switch(dmg_builder* b, float size) {
-    float r = 0.28f * size, turn = dmg_range(b, 0.7f, 1.6f), t = 0.07f * size;
-    dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.1f * size), r);
-    dmg_hinge(b, 0, "key", v3(0, 0, 0), v3(0, 0, -1), 0.0f, turn);
-    dmg_box_span(b, v3(-0.06f * size, -0.5f * t, 0), v3(0.06f * size, 0.5f * t, 0.35f * size));
-    dmg_box_span(b, v3(-0.2f * size, -0.5f * t, 0.32f * size), v3(0.2f * size, 0.5f * t, 0.62f * size));
-    dmg_use(b, 0);
-}
-
-static void draw_panel_slide(dmg_builder* b, float size) {
-    float way = 0.4f * size;
-    dmg_save(b);
-    dmg_move(b, 0, 0, 0.06f * size);
-    dmg_frame_draw(b, 0.45f * size, 0.95f * size, 0.06f * size, 0.07f * size);
-    dmg_restore(b);
-    dmg_slide(b, 0, "slide_switch", v3(0, 1, 0), 0.0f, way);
-    dmg_rounded_box(b, v3(0, -0.2f * size, 0.06f * size), v3(0.28f * size, 0.36f * size, 0.25f * size), 0.05f * size);
-    dmg_use(b, 0);
-}
-
-static void draw_panel_switch(dmg_builder* b, int kind, float size) {
-    float turn = dmg_range(b, 0.4f, 2.4f), r = 0.3f * size;
-    int knob = dmg_int(b, 0, DMG_KNOB_KINDS - 1);
-    if (kind == 0 || kind == 1) dmg_bat_draw(b, 0, "toggle", 0.45f * size);
-    if (kind == 2) dmg_guarded_draw(b, 0, 0.45f * size);
-    if (kind == 3) dmg_rock_key_draw(b, 0, "rocker", 0.45f * size, 0.7f * size);
-    if (kind == 4) {
-        dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.04f * size), 1.3f * r);
-        dmg_hinge(b, 0, "selector", v3(0, 0, 0), v3(0, 0, 1), -turn, turn);
-        dmg_save(b);
-        dmg_move(b, 0, 0, 0.05f * size);
-        dmg_knob_draw(b, knob, r, 1.1f * r);
-        dmg_restore(b);
-        dmg_use(b, 0);
-    }
-    if (kind == 5) draw_key_switch(b, size);
-    if (kind == 6) draw_panel_slide(b, size);
-    if (kind == 7) dmg_sunk_wheel_draw(b, 0, "thumb_wheel", 0.35f * size, 0.2f * size);
-    if (kind == 8) draw_pull(b, size);
-    if (kind == 9) dmg_thumb_key_draw(b, 0, "button", 0.3f * size);
-    if (kind == 10) { /* a breaker: a stub that pops out */
-        dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.1f * size), 0.28f * size);
-        dmg_slide(b, 0, "breaker", v3(0, 0, 1), 0.0f, 0.12f * size);
-        dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.26f * size), 0.18f * size);
-        dmg_use(b, 0);
-    }
-    if (kind == 11) dmg_hat_draw(b, 0, "stick", 0.5f * size);
-}
-
-void dmg_build_switch_panel(dmg_builder* b) {
-    int columns = dmg_int(b, 2, 6), rows = dmg_int(b, 1, 4), one = dmg_int(b, 0, SWITCH_KINDS - 1),
-        mode = dmg_int(b, 0, 2);
-    float cell = dmg_scale_range(b, 0.025f, 0.06f), tilt = dmg_range(b, -1.4f, 0.3f),
-          wide = cell * ((float)columns + 0.4f), high = cell * 1.15f * ((float)rows + 0.3f),
-          arc = dmg_range(b, 1.2f, 2.3f), t = cell * dmg_range(b, 0.1f, 0.8f), roll = dmg_range(b, -0.3f, 0.3f);
-    bool curved = dmg_chance(b, 0.45f), legends = dmg_chance(b, 0.7f);
-    float r = high / arc;
-    dmg_bent n = dmg_bent_between(v3(-0.55f * wide, 0, 0), v3(0.55f * wide, 0, 0), v3(0, 0, 0), v3(0, 0, 1), r, r);
-    n.round[0] = n.round[1] = 0.04f;
-    n.columns = 28;
-    dmg_move(b, 0, fmaxf(high, r), 0);
-    dmg_turn(b, v3(1, 0, 0), tilt);
-    dmg_turn(b, v3(0, 0, 1), roll);
-    if (curved)
-        dmg_bent_draw(b, &n);
-    else
-        dmg_rounded_plate(b, wide, high, t, 0.2f * cell);
-    int kind = one;
-    for (int i = 0; i < rows * columns; ++i) {
-        int row = i / columns, column = i % columns;
-        if (mode == 2 || (mode == 1 && column == 0)) kind = dmg_int(b, 0, SWITCH_KINDS - 1);
-        float x = cell * ((float)column - 0.5f * (float)(columns - 1)),
-              y = 1.15f * cell * (0.5f * (float)(rows - 1) - (float)row);
-        if (curved) {
-            dmg_bent_stand(b, &n, 0.5f + x / (1.1f * wide), y / r, 0);
-            dmg_turn(b, v3(0, 0, 1), 0.5f * DMG_PI); /* up across the tube's line */
-        } else {
-            dmg_save(b);
-            dmg_move(b, x, y, 0);
-        }
-        if (legends) dmg_box(b, v3(0, -0.52f * cell, 0), v3(0.6f * cell, 0.08f * cell, 0.04f * cell));
-        draw_panel_switch(b, kind, 0.8f * cell);
-        dmg_restore(b);
-    }
 }
