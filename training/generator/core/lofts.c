@@ -130,11 +130,6 @@ dmg_window dmg_bent_open(dmg_bent* n, float s, float angle, float length, float 
     return w;
 }
 
-void dmg_window_middle(const dmg_bent* n, const dmg_window* w, float* s, float* angle) {
-    *s = 0.5f * (row_share(n, w->row0) + row_share(n, w->row1));
-    *angle = 0.5f * (column_angle(n, w->column0) + column_angle(n, w->column1));
-}
-
 static bool is_open(const dmg_bent* n, int row, int column) {
     for (int i = 0; i < n->window_count; ++i) {
         const dmg_window* w = &n->windows[i];
@@ -299,59 +294,6 @@ void dmg_bat_draw(dmg_builder* b, uint32_t parent, const char* name, float size)
     }
     if (kind == 2) dmg_box_span(b, v3(-1.8f * r, -0.8f * r, 0), v3(1.8f * r, 0.8f * r, long_way));
     dmg_rest(b, bat, dmg_chance(b, 0.5f) ? -swing : swing);
-    dmg_use(b, parent);
-}
-
-void dmg_guarded_draw(dmg_builder* b, uint32_t parent, float size) {
-    float w = 0.5f * size, high = size * dmg_range(b, 0.35f, 0.7f), t = 0.06f * size, swing = dmg_range(b, 1.2f, 2.0f),
-          long_way = size * dmg_range(b, 0.6f, 1.0f), slope = dmg_range(b, 0.3f, 1.0f);
-    bool cheeks = dmg_chance(b, 0.7f), plate = dmg_chance(b, 0.5f), toggles = dmg_chance(b, 0.4f);
-    if (plate) dmg_box_span(b, v3(-1.2f * w, -1.1f * long_way, -t), v3(1.2f * w, 1.1f * long_way, 0.2f * t));
-    if (toggles)
-        dmg_bat_draw(b, parent, "switch", 0.45f * high);
-    else {
-        dmg_slide(b, parent, "button", v3(0, 0, -1), 0.0f, 0.2f * high);
-        dmg_rod(b, v3(0, 0, -t), v3(0, 0, 0.5f * high), 0.55f * w);
-        dmg_use(b, parent);
-    }
-    for (int s = -1; s <= 1; s += 2) /* ears that hold the pin */
-        dmg_box(b, v3((float)s * (w + 1.6f * t), long_way, 0.25f * high), v3(1.2f * t, 3 * t, 0.5f * high));
-    dmg_hinge(b, parent, "cover", v3(0, long_way, 0.4f * high), v3(-1, 0, 0), 0.0f, swing);
-    dmg_rod(b, v3(-w - t, long_way, 0.4f * high), v3(w + t, long_way, 0.4f * high), 0.9f * t);
-    dmg_beam(b, v3(0, long_way, 0.4f * high + 0.5f * t), v3(0, 0.5f * long_way, high), 2 * w, t);
-    dmg_beam(b, v3(0, 0.55f * long_way, high), v3(0, -long_way, high * slope), 2 * w, t);
-    dmg_box_span(b, v3(-w, -long_way - t, 0.15f * high), v3(w, -long_way, high * slope));
-    const dmg_xy cheek[] = {
-        {-long_way, 0.2f * high}, {0.7f * long_way, 0.3f * high}, {0.5f * long_way, high}, {-long_way, high * slope}};
-    for (int s = -1; s <= 1 && cheeks; s += 2) {
-        dmg_aim(b, v3((float)s * (w - 0.5f * t), 0, 0), v3(1, 0, 0), v3(0, 0, 1));
-        dmg_extrude(b, cheek, 4, -0.4f * t, 0.4f * t);
-        dmg_restore(b);
-    }
-    dmg_use(b, parent);
-}
-
-void dmg_sunk_wheel_draw(dmg_builder* b, uint32_t parent, const char* name, float radius, float wide) {
-    float out = radius * dmg_range(b, 0.2f, 0.6f), limit = dmg_range(b, 0.5f, 2.5f), t = 0.12f * radius;
-    bool endless = dmg_chance(b, 0.5f), framed = dmg_chance(b, 0.6f);
-    int teeth = dmg_chance(b, 0.6f) ? dmg_int(b, 8, 18) : 0;
-    float half = sqrtf(radius * radius - (radius - out) * (radius - out)) + 0.5f * t;
-    for (int s = -1; s <= 1 && framed; s += 2) {
-        dmg_box(b, v3((float)s * (0.5f * wide + t), 0, 0), v3(t, 2 * half + 3 * t, t));
-        dmg_box(b, v3(0, (float)s * (half + 1.1f * t), 0), v3(wide + 3 * t, t, t));
-    }
-    dmg_vec middle = v3(0, 0, out - radius);
-    if (endless)
-        dmg_spin(b, parent, name, middle, v3(1, 0, 0));
-    else
-        dmg_hinge(b, parent, name, middle, v3(1, 0, 0), -limit, limit);
-    dmg_rod(b, v3(-0.5f * wide, 0, middle.z), v3(0.5f * wide, 0, middle.z), radius * (teeth ? 0.94f : 1.0f));
-    for (int i = 0; i < teeth; ++i) {
-        float turn = 2 * DMG_PI * (float)i / (float)teeth;
-        dmg_aim(b, middle, v3(0, cosf(turn), sinf(turn)), v3(1, 0, 0));
-        dmg_box(b, v3(0, 0, 0.93f * radius), v3(0.25f * radius, 0.9f * wide, 0.13f * radius));
-        dmg_restore(b);
-    }
     dmg_use(b, parent);
 }
 

@@ -35,8 +35,6 @@ dmg_vec dmg_bent_point(const dmg_bent* n, float s, float angle, float out);
 void dmg_bent_stand(dmg_builder* b, const dmg_bent* n, float s, float angle, float out);
 /* An opening with a well below it, about an angle; on the grid's nearest lines. Before the shell is drawn. */
 dmg_window dmg_bent_open(dmg_bent* n, float s, float angle, float length, float arc, float depth);
-/* Returns the place of the opening's middle. */
-void dmg_window_middle(const dmg_bent* n, const dmg_window* w, float* s, float* angle);
 void dmg_bent_draw(dmg_builder* b, const dmg_bent* n);
 
 /* How the part that fills an opening moves: straight in, about the line across its first or last end, about its middle.
@@ -66,10 +64,6 @@ void dmg_aim(dmg_builder* b, dmg_vec at, dmg_vec out, dmg_vec up);
 uint32_t dmg_finger_lever_draw(dmg_builder* b, uint32_t parent, const char* name, float wide, float length);
 /* A bat, a paddle or a ball-ended rod that leans along Y about a pin below the surface. */
 void dmg_bat_draw(dmg_builder* b, uint32_t parent, const char* name, float size);
-/* A button or a toggle beneath a cover that flips up about its +Y edge. */
-void dmg_guarded_draw(dmg_builder* b, uint32_t parent, float size);
-/* A wheel sunk in a slot, its axis along X: only a slice stands out. */
-void dmg_sunk_wheel_draw(dmg_builder* b, uint32_t parent, const char* name, float radius, float wide);
 /* A small stick with a cap that leans about one of two lines below the surface. */
 void dmg_hat_draw(dmg_builder* b, uint32_t parent, const char* name, float size);
 /* A rocker, its halves raised, about X below the surface. */

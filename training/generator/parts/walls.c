@@ -1,4 +1,4 @@
-/* Implements what the walls of large machines carry: doors and hatches laid on them, louvres, round lids, levers. */
+/* Implements what the walls of large machines carry: doors and hatches laid on them, round lids, sticks. */
 #include "parts/walls.h"
 
 void dmg_wall_enter(dmg_builder* b, dmg_vec at, float facing) {
@@ -38,14 +38,6 @@ uint32_t dmg_wall_leaf_draw(dmg_builder* b, uint32_t parent, const char* name, f
     return part;
 }
 
-void dmg_wall_louvres_draw(dmg_builder* b, float width, float height, int count) {
-    float each = height / (float)count;
-    for (int i = 0; i < count; ++i) {
-        float y = -0.5f * height + each * ((float)i + 0.5f);
-        dmg_beam(b, v3(-0.5f * width, y, 0.1f * each), v3(0.5f * width, y, 0.1f * each), 0.3f * each, 0.5f * each);
-    }
-}
-
 void dmg_wall_lid_draw(dmg_builder* b, uint32_t parent, const char* name, float r) {
     float collar = r * dmg_range(b, 0.1f, 0.5f), t = r * dmg_range(b, 0.08f, 0.25f);
     int kind = dmg_weighted(b, (const float[]){3, 1, 1}, 3);
@@ -79,24 +71,6 @@ void dmg_wall_lid_draw(dmg_builder* b, uint32_t parent, const char* name, float 
         dmg_box(b, v3(0, 0, 0.15f * r), v3(0.5f * r, 0.12f * r, 0.3f * r));
         dmg_move(b, 0, 0.55f * r, -z - t);
     }
-    dmg_use(b, parent);
-}
-
-void dmg_wall_lever_draw(dmg_builder* b, uint32_t parent, const char* name, float length, float angle, float upper) {
-    float r = length * dmg_range(b, 0.05f, 0.12f), z = length * dmg_range(b, 0.1f, 0.25f);
-    int kind = dmg_int(b, 0, 2);
-    dmg_use(b, parent);
-    dmg_save(b);
-    dmg_turn(b, v3(0, 0, 1), angle);
-    dmg_rod(b, v3(0, 0, 0), v3(0, 0, 0.8f * z), 1.1f * r);
-    dmg_hinge(b, parent, name, v3(0, 0, z), v3(0, 0, 1), 0.0f, upper);
-    dmg_rod(b, v3(0, 0, 0.82f * z), v3(0, 0, z + r), 1.3f * r);
-    if (kind == 0)
-        dmg_beam(b, v3(0, 0, z + 0.3f * r), v3(length, 0, z + 0.3f * r), 1.2f * r, 0.6f * r);
-    else
-        dmg_cone(b, v3(0, 0, z + 0.3f * r), v3(length, 0, z + 0.3f * r), 0.8f * r, 0.5f * r);
-    if (kind == 2) dmg_ellipsoid(b, v3(length, 0, z + 0.3f * r), v3(1.4f * r, 1.4f * r, 1.4f * r));
-    dmg_restore(b);
     dmg_use(b, parent);
 }
 

@@ -1,4 +1,4 @@
-/* Declares what the walls of large machines carry: doors and hatches laid on them, louvres, round lids, levers. A
+/* Declares what the walls of large machines carry: doors and hatches laid on them, round lids, sticks. A
  * wall is the plane z = 0 of the frame, seen from +Z. */
 #ifndef DMG_WALLS_H
 #define DMG_WALLS_H
@@ -12,12 +12,8 @@ void dmg_roof_enter(dmg_builder* b, dmg_vec at);
 /* A leaf of any make on the wall, centred. Returns it; the parent is in use again. */
 uint32_t dmg_wall_leaf_draw(dmg_builder* b, uint32_t parent, const char* name, float width, float height,
                             dmg_side side);
-/* Still slats. */
-void dmg_wall_louvres_draw(dmg_builder* b, float width, float height, int count);
 /* A round lid on a collar: hung at its edge (+Y), swung aside about a pin, or a cap that screws. */
 void dmg_wall_lid_draw(dmg_builder* b, uint32_t parent, const char* name, float r);
-/* A lever on a boss; it points to `angle` (from +X towards +Y) and turns about the wall's normal. */
-void dmg_wall_lever_draw(dmg_builder* b, uint32_t parent, const char* name, float length, float angle, float upper);
 /* A lever that stands out of the wall (a floor, a desk) and leans about X. */
 void dmg_wall_stick_draw(dmg_builder* b, uint32_t parent, const char* name, float length);
 /* A hand wheel on a shaft. */
