@@ -1,7 +1,6 @@
 /* Stages of progress: for each job that takes long, the share of it that is done when a stage of it is over. A job may
  * be a stage of another one, by whose shares its own are scaled (dmi_progress_piece). The host's callback hears of the
- * whole call. Shares that follow from counts, of faces or of parts, stand where these are counted, and those of a
- * part's analysis in its own file. */
+ * whole call. Shares that follow from counts, of faces or of parts, stand where these are counted. */
 #ifndef DMI_BASE_PROGRESS_STAGES_H
 #define DMI_BASE_PROGRESS_STAGES_H
 
@@ -30,6 +29,11 @@
 #define DMI_STAGE_INFER_ANALYSED 0.3f    /* the part is analysed; measured */
 #define DMI_STAGE_INFER_NETWORK_RUN 0.6f /* KPP-Net has run; measured */
 #define DMI_STAGE_INFER_RANKED 0.9f      /* the candidates are ranked; measured */
+
+/* ---- the analysis of a part ---- */
+
+#define DMI_STAGE_ANALYSE_VERTICES_TAKEN 0.3f /* the part's vertices are collected; measured */
+#define DMI_STAGE_ANALYSE_MEASURED 0.6f       /* all but its patches is measured; measured */
 
 /* ---- dm_object_load ---- */
 

@@ -94,7 +94,9 @@ static void distance_grid_agrees_with_brute_force(void** state) {
         for (int k = 0; k < 3; k++) samples[i][k] = 0.2f + 0.6f * dmi_random_unit(&random);
     dmi_distance_grid grid;
     const float low[3] = {0, 0, 0}, high[3] = {1, 1, 0.9f};
-    assert_int_equal(dmi_distance_grid_make(&arena, (const float(*)[3])samples, N, low, high, &grid), DM_OK);
+    assert_int_equal(
+        dmi_distance_grid_make(&arena, (const float(*)[3])samples, N, low, high, DMI_DISTANCE_GRID_CELLS, &grid),
+        DM_OK);
     for (int q = 0; q < 500; q++) {
         float point[3], least = INFINITY, found;
         for (int k = 0; k < 3; k++) point[k] = 0.95f * dmi_random_unit(&random);

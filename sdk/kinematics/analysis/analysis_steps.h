@@ -5,7 +5,7 @@
 #include "kinematics/analysis/part_analysis.h"
 #include "math/linear3.h"
 
-/* near_samples.c: samples the body in the box low .. high. moving[f]: 1 for the faces of the part. */
+/* near_samples.c: samples the body in the box low .. high. moving: 1 for the parts that move. */
 dm_result dmi_analysis_find_near(dmi_arena* arena, const uint8_t* moving, const dmi_cloud* cloud, const float low[3],
                                  const float high[3], dmi_part_analysis* analysis);
 
@@ -19,7 +19,8 @@ dm_result dmi_analysis_find_protrusions(dmi_arena* arena, dmi_part_analysis* ana
 /* twin.c: has_twin and twin_way. */
 void dmi_analysis_find_twin(dmi_part_analysis* analysis);
 
-/* patches.c: shells and smooth regions of the part and of the body in the box low .. high. */
+/* patches.c: shells and smooth regions of the part and of the body in the box low .. high. moving[f]: 1 for the faces
+ * of the part. */
 dm_result dmi_analysis_find_patches(dmi_arena* arena, const uint8_t* moving, const float low[3], const float high[3],
                                     const uint32_t* welded, dmi_part_analysis* analysis);
 

@@ -36,11 +36,11 @@ static dm_result sort_samples(dmi_arena* arena, uint32_t count, size_t cells, dm
 }
 
 dm_result dmi_distance_grid_make(dmi_arena* arena, const float (*samples)[3], uint32_t count, const float low[3],
-                                 const float high[3], dmi_distance_grid* out) {
+                                 const float high[3], uint32_t side_cells, dmi_distance_grid* out) {
     *out = (dmi_distance_grid){.samples = samples};
     float longest = MIN_SIDE;
     for (int k = 0; k < 3; k++) longest = dmi_max(longest, high[k] - low[k]);
-    out->cell = longest / (DMI_DISTANCE_GRID_CELLS - 1);
+    out->cell = longest / (float)(side_cells - 1);
     out->per_cell = 1 / out->cell;
     size_t cells = 1;
     for (int k = 0; k < 3; k++) {

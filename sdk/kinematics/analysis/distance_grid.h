@@ -7,14 +7,14 @@
 
 #include "base/arena.h"
 
-#define DMI_DISTANCE_GRID_CELLS 56 /* cells along the longest side; by hand */
+#define DMI_DISTANCE_GRID_CELLS 88 /* most cells along the longest side; by hand */
 #define DMI_POINT_BATCH 192        /* most points of one call of a batched function */
 
 typedef struct dmi_distance_grid {
     float low[3], cell, per_cell; /* cell: side of a cell; per_cell = 1 / cell */
     int32_t size[3];              /* cells along each axis; x varies fastest */
     float* distance;              /* distance from a cell's centre to that of the nearest cell that holds a sample; 128
-                                   * cells, more than the grid's diagonal, when none does */
+                                   * cells where that is farther, or where no cell does */
     int16_t* in_row;              /* squared distances in cells to the nearest such cell of the same row (x) ... */
     int16_t* in_slab;             /* ... and of the same slab (x and y) */
     uint32_t* start;              /* samples of cell c: order[start[c]] .. order[start[c + 1] - 1] */
@@ -23,9 +23,9 @@ typedef struct dmi_distance_grid {
     const float (*samples)[3];
 } dmi_distance_grid;
 
-/* Makes the grid over the box low .. high. `samples` must outlive it. */
+/* Makes the grid over the box low .. high, with so many cells along its longest side. `samples` must outlive it. */
 dm_result dmi_distance_grid_make(dmi_arena* arena, const float (*samples)[3], uint32_t count, const float low[3],
-                                 const float high[3], dmi_distance_grid* out);
+                                 const float high[3], uint32_t side_cells, dmi_distance_grid* out);
 
 /* Returns the distance of the point from the samples, to within a cell. For a point outside the grid, that is the
  * distance at the nearest cell of the grid plus the distance to that cell. */

@@ -1,25 +1,34 @@
 /* Analyses a part in steps; those of one idea each are in files of their own. */
 #include "kinematics/analysis/part_analysis.h"
 
+#include "base/progress_stages.h"
 #include "kinematics/analysis/analysis_steps.h"
 #include "kinematics/analysis/extreme_points.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
+#include "math/place_hash.h"
 
-#define MAX_VERTICES 32768    /* most vertices of the part; of more, every n-th is used; by hand */
+#define MAX_VERTICES 32768    /* most vertices of the part; of more, about every n-th is used, by its place; by hand */
 #define MIN_DIAGONAL 1e-5f    /* object sizes: avoids a division by zero */
 #define MIN_PART_AREA 1e-12   /* object sizes squared: avoids a division by zero */
 #define NEAR_MARGIN 0.6f      /* margin of the near box, in longest sides of the part; by hand */
 #define MIN_NEAR_MARGIN 0.02f /* object sizes; by hand */
+#define BODY_CELLS 88         /* cells along the body grid's longest side: collisions need so many; by hand */
+#define PART_CELLS 56         /* cells along the part grid's longest side; by hand */
 #define PART_MARGIN 0.05f     /* margin of the part's distance grid, in part diagonals; by hand */
 
-/* Returns 1 for the faces that move with the part, NULL without memory. */
-static uint8_t* mark_faces(dmi_arena* arena, const dmi_mesh* mesh, uint32_t part) {
+/* Returns 1 for the parts that move with one, NULL without memory. */
+static uint8_t* mark_parts(dmi_arena* arena, const dmi_mesh* mesh, uint32_t part) {
+    uint8_t* moving = dmi_arena_push(arena, mesh->part_count);
+    for (uint32_t p = 0; p < mesh->part_count && moving != NULL; p++)
+        moving[p] = dmi_mesh_moves_with(mesh, p, part) != 0;
+    return moving;
+}
+
+/* Returns 1 for the faces of the moving parts, NULL without memory. */
+static uint8_t* mark_faces(dmi_arena* arena, const dmi_mesh* mesh, const uint8_t* moving_parts) {
     uint8_t* moving = dmi_arena_push(arena, mesh->face_count);
-    uint8_t* with = dmi_arena_push(arena, mesh->part_count);
-    if (moving == NULL || with == NULL) return NULL;
-    for (uint32_t p = 0; p < mesh->part_count; p++) with[p] = dmi_mesh_moves_with(mesh, p, part) != 0;
-    for (uint32_t f = 0; f < mesh->face_count; f++) moving[f] = with[mesh->face_part[f]];
+    for (uint32_t f = 0; f < mesh->face_count && moving != NULL; f++) moving[f] = moving_parts[mesh->face_part[f]];
     return moving;
 }
 
@@ -44,29 +53,30 @@ static float (*part_vertices(dmi_arena* arena, const uint8_t* moving, dmi_part_a
     const dmi_mesh* mesh = analysis->mesh;
     uint8_t* used = dmi_arena_push(arena, mesh->vertex_count);
     if (used == NULL) return NULL;
-    uint32_t total = mark_vertices(mesh, moving, used), step = total / MAX_VERTICES + 1, seen = 0;
-    float(*out)[3] = dmi_arena_push(arena, sizeof *out * (total / step + 2));
+    const uint32_t total = mark_vertices(mesh, moving, used), step = total / MAX_VERTICES + 1;
+    float(*out)[3] = dmi_arena_push(arena, sizeof *out * (total + (size_t)1));
     if (out == NULL) return NULL;
     *out_count = 0;
     dmi_analysis_empty_box(analysis->low, analysis->high);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         if (!used[v]) continue;
         dmi_analysis_extend_box(mesh->positions + 3 * (size_t)v, analysis->low, analysis->high);
-        if (seen++ % step == 0) dmi_copy3(mesh->positions + 3 * (size_t)v, out[(*out_count)++]);
+        const float* at = mesh->positions + 3 * (size_t)v;
+        if (step == 1 || dmi_hash_place(at) % step == 0) dmi_copy3(at, out[(*out_count)++]);
     }
     return out;
 }
 
 static dm_result make_grids(dmi_arena* arena, const float low[3], const float high[3], dmi_part_analysis* analysis) {
     dm_result result = dmi_distance_grid_make(arena, (const float(*)[3])analysis->near_points, analysis->near_count,
-                                              low, high, &analysis->body_grid);
+                                              low, high, BODY_CELLS, &analysis->body_grid);
     if (result != DM_OK) return result;
     float margin = PART_MARGIN * analysis->diagonal, part_low[3], part_high[3];
     for (int k = 0; k < 3; k++) {
         part_low[k] = analysis->low[k] - margin;
         part_high[k] = analysis->high[k] + margin;
     }
-    return dmi_distance_grid_make(arena, analysis->points, DMI_ANALYSIS_POINTS, part_low, part_high,
+    return dmi_distance_grid_make(arena, analysis->points, DMI_ANALYSIS_POINTS, part_low, part_high, PART_CELLS,
                                   &analysis->part_grid);
 }
 
@@ -106,10 +116,6 @@ static float area_ratio(const dmi_mesh* mesh, const uint8_t* moving) {
     return (float)(rest / dmi_fmax(part, MIN_PART_AREA));
 }
 
-/* Shares of the work, when the part's vertices are collected, and when all but its patches is measured; measured. */
-#define PART_MEASURED 0.3f
-#define MEASURED 0.6f
-
 void dmi_part_near_box(const float low[3], const float high[3], float out_low[3], float out_high[3]) {
     float side = 0;
     for (int k = 0; k < 3; k++) side = dmi_max(side, high[k] - low[k]);
@@ -123,7 +129,8 @@ dm_result dmi_part_analysis_make(dmi_arena* arena, const dmi_mesh* mesh, const d
                                .part = part,
                                .points = (const float(*)[3])cloud->xyz,
                                .normals = (const float(*)[3])cloud->normal};
-    uint8_t* moving = mark_faces(arena, mesh, part);
+    const uint8_t* moving_parts = mark_parts(arena, mesh, part);
+    const uint8_t* moving = moving_parts != NULL ? mark_faces(arena, mesh, moving_parts) : NULL;
     uint32_t vertex_count;
     float(*vertices)[3] = moving != NULL ? part_vertices(arena, moving, out, &vertex_count) : NULL;
     if (vertices == NULL) return DM_ERROR_OUT_OF_MEMORY;
@@ -132,15 +139,15 @@ dm_result dmi_part_analysis_make(dmi_arena* arena, const dmi_mesh* mesh, const d
     out->diagonal = dmi_max(dmi_distance3(out->low, out->high), MIN_DIAGONAL);
     out->area_ratio = area_ratio(mesh, moving);
 
-    dm_result result = dmi_progress_tell(progress, PART_MEASURED);
-    if (result == DM_OK) result = dmi_analysis_find_near(arena, moving, cloud, low, high, out);
+    dm_result result = dmi_progress_tell(progress, DMI_STAGE_ANALYSE_VERTICES_TAKEN);
+    if (result == DM_OK) result = dmi_analysis_find_near(arena, moving_parts, cloud, low, high, out);
     if (result == DM_OK) result = make_grids(arena, low, high, out);
     if (result == DM_OK) result = dmi_analysis_find_contacts(arena, out);
     if (result != DM_OK) return result;
     find_directions((const float(*)[3])vertices, vertex_count, out);
     result = dmi_analysis_find_slippage(arena, out);
     if (result == DM_OK) result = dmi_analysis_find_protrusions(arena, out);
-    if (result == DM_OK) result = dmi_progress_tell(progress, MEASURED);
+    if (result == DM_OK) result = dmi_progress_tell(progress, DMI_STAGE_ANALYSE_MEASURED);
     if (result != DM_OK) return result;
     dmi_analysis_find_twin(out);
     out->object_extreme_point_count =

@@ -12,12 +12,11 @@
 #include "kinematics/analysis/slippage.h"
 #include "mesh/cloud.h"
 
-#define DMI_ANALYSIS_POINTS 2048       /* surface points of the part: the cloud's part block */
-#define DMI_ANALYSIS_NEAR_POINTS 12288 /* most samples of the body near the part; by hand */
-#define DMI_CONTACT_REGIONS 3          /* absolute, relative and rank limit of the gap, see contacts.c */
-#define DMI_MAX_PATCHES 24             /* patches of the part, and of the body near it; by hand */
-#define DMI_MAX_NORMAL_CLUSTERS 6      /* clusters of the part, and of the body near it; by hand */
-#define DMI_WELD_TOLERANCE 1e-5f       /* object sizes, of the welded vertices; by hand */
+#define DMI_ANALYSIS_POINTS 2048  /* surface points of the part: the cloud's part block */
+#define DMI_CONTACT_REGIONS 3     /* absolute, relative and rank limit of the gap, see contacts.c */
+#define DMI_MAX_PATCHES 24        /* patches of the part, and of the body near it; by hand */
+#define DMI_MAX_NORMAL_CLUSTERS 6 /* clusters of the part, and of the body near it; by hand */
+#define DMI_WELD_TOLERANCE 1e-5f  /* object sizes, of the welded vertices; by hand */
 
 /* The part's points whose gap is below a limit. */
 typedef struct dmi_contact {

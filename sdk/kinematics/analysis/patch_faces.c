@@ -1,7 +1,10 @@
 /* Selects the largest faces by radix selection and copies them. */
 #include "kinematics/analysis/patch_faces.h"
 
+#include <stdlib.h>
+
 #include "math/linear3.h"
+#include "math/place_hash.h"
 
 #define MAX_FACES 24576 /* most faces of one side; by hand */
 #define NO_BYTE 0xff    /* memset value that makes every uint32_t UINT32_MAX */
@@ -45,6 +48,38 @@ static dm_result keep_largest(dmi_arena* arena, const dmi_mesh* mesh, uint32_t* 
     return DM_OK;
 }
 
+/* ---- an order that belongs to the places of the faces ---- */
+
+typedef struct placed_face {
+    uint64_t key;
+    uint32_t face, first; /* first: the corner that is copied first */
+} placed_face;
+
+static int compare_keys(const void* a, const void* b) {
+    const placed_face *p = a, *q = b;
+    return p->key < q->key ? -1 : p->key > q->key;
+}
+
+static placed_face place_face(const dmi_mesh* mesh, uint32_t face) {
+    placed_face out = {.face = face};
+    uint64_t least = UINT64_MAX;
+    for (uint32_t k = 0; k < 3; k++) {
+        const uint64_t hash = dmi_hash_place(mesh->positions + 3 * (size_t)mesh->indices[3 * (size_t)face + k]);
+        out.key += hash;
+        if (hash < least) least = hash, out.first = k;
+    }
+    return out;
+}
+
+/* Returns the listed faces in an order that their order in the mesh does not change. NULL: no memory. */
+static placed_face* place_faces(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* faces, uint32_t count) {
+    placed_face* out = dmi_arena_push(arena, (count + (size_t)1) * sizeof *out);
+    if (out == NULL) return NULL;
+    for (uint32_t i = 0; i < count; i++) out[i] = place_face(mesh, faces[i]);
+    qsort(out, count, sizeof *out, compare_keys);
+    return out;
+}
+
 static dm_result allocate(dmi_arena* arena, uint32_t count, dmi_patch_faces* out) {
     const size_t faces = (size_t)count + 1;
     out->mesh = (dmi_mesh){.face_count = count,
@@ -64,12 +99,13 @@ static dm_result allocate(dmi_arena* arena, uint32_t count, dmi_patch_faces* out
 static dm_result copy_faces(dmi_arena* arena, const dmi_mesh* mesh, const uint32_t* welded, const uint32_t* faces,
                             uint32_t count, const dmi_distance_grid* other_grid, dmi_patch_faces* out) {
     uint32_t* number = dmi_arena_push(arena, sizeof *number * mesh->vertex_count);
-    if (number == NULL || allocate(arena, count, out) != DM_OK) return DM_ERROR_OUT_OF_MEMORY;
+    const placed_face* placed = place_faces(arena, mesh, faces, count);
+    if (number == NULL || placed == NULL || allocate(arena, count, out) != DM_OK) return DM_ERROR_OUT_OF_MEMORY;
     memset(number, NO_BYTE, sizeof *number * mesh->vertex_count);
     for (size_t i = 0; i < count; i++) {
-        const size_t f = faces[i];
+        const size_t f = placed[i].face;
         for (size_t k = 0; k < 3; k++) {
-            const uint32_t v = mesh->indices[3 * f + k];
+            const uint32_t v = mesh->indices[3 * f + (placed[i].first + k) % 3];
             uint32_t* own = &number[welded[v]];
             if (*own == UINT32_MAX) *own = out->mesh.vertex_count++;
             out->mesh.indices[3 * i + k] = *own;
@@ -77,7 +113,9 @@ static dm_result copy_faces(dmi_arena* arena, const dmi_mesh* mesh, const uint32
         }
         dmi_copy3(mesh->face_normal + 3 * f, out->mesh.face_normal + 3 * i);
         out->mesh.face_area[i] = mesh->face_area[f];
-        out->gap[i] = dmi_distance_grid_distance(other_grid, out->corners[3 * i]);
+        out->gap[i] = INFINITY;
+        for (size_t k = 0; k < 3; k++)
+            out->gap[i] = dmi_min(out->gap[i], dmi_distance_grid_distance(other_grid, out->corners[3 * i + k]));
     }
     return DM_OK;
 }

@@ -9,7 +9,7 @@
 typedef struct dmi_patch_faces {
     dmi_mesh mesh;       /* has no positions; its indices are those of welded vertices */
     float (*corners)[3]; /* positions of the three corners of each face */
-    float* gap;          /* distance of a face's first corner from the other side; object-normalised */
+    float* gap;          /* least of a face's corners to the other side; object-normalised */
 } dmi_patch_faces;
 
 /* Copies the faces, the largest ones when there are very many. Overwrites `faces`. other_grid: distance grid of the

@@ -6,6 +6,7 @@
 #include "kinematics/analysis/analysis_steps.h"
 #include "kinematics/analysis/patch_faces.h"
 #include "math/linear3.h"
+#include "math/place_hash.h"
 #include "mesh/connectivity.h"
 
 #define LARGEST_REGIONS 5    /* regions of a level that become patches; by hand */
@@ -14,24 +15,26 @@
 #define MIN_REGION_FACES 6u  /* fewest faces of a smooth region, and of a patch with an axis; by hand */
 #define MAX_FITTED_FACES 512 /* faces of a region that its axis is fitted to, evenly chosen; by hand */
 #define MIN_WEIGHT 1e-12f    /* object sizes squared, added to the weight of samples: keeps the sum positive */
+#define ROUNDED_BITS 7       /* bits of 23 that rounding leaves out of sums of areas */
 #define NO_AXIS 2            /* residual of a patch without an axis; see dmi_patch */
 #define SAME_AREA 1e-3f      /* relative difference below which patches are the same; by hand */
 #define SAME_CENTRE 1e-4f    /* object sizes between their box centres; by hand */
 
-enum { FACE_SAMPLES = 4, MAX_SAMPLES = FACE_SAMPLES * MAX_FITTED_FACES, LEVELS = 3, LANES = 4 };
+enum { FACE_SAMPLES = 3, MAX_SAMPLES = FACE_SAMPLES * MAX_FITTED_FACES, LEVELS = 3, LANES = 4 };
 
 typedef struct region {
     uint32_t label, first, faces; /* order[first] .. order[first + faces - 1] */
     float area, gap;              /* gap: least of its faces' */
+    uint64_t place;               /* least hash of its corners' places */
     bool is_done;                 /* its patch has been made */
 } region;
 
-/* The part, or the body near it: faces, their regions at one level, patches. */
 /* What fit_axis() fits an axis to. */
 typedef struct samples {
     float xyz[MAX_SAMPLES][3], normal[MAX_SAMPLES][3], weight[MAX_SAMPLES];
 } samples;
 
+/* The part, or the body near it: faces, their regions at one level, patches. */
 typedef struct side {
     dmi_patch_faces faces;
     uint32_t* welded; /* the identity: vertices are welded already */
@@ -46,16 +49,28 @@ typedef struct side {
 
 /* ---- regions ---- */
 
+/* Returns the bits of a positive number, or of 0 or infinity, rounded to 1e-5 of it: sums of the same areas in another
+ * order differ by less. They are ordered as the numbers are. */
+static uint32_t rounded_bits(float value) {
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return (bits + (1u << (ROUNDED_BITS - 1))) >> ROUNDED_BITS;
+}
+
+/* Which of two regions comes first depends on neither the order of the faces nor the diagonals of flat polygons. */
+static int compare_regions(const region* a, const region* b, uint32_t bits_a, uint32_t bits_b) {
+    if (bits_a != bits_b) return bits_a < bits_b ? -1 : 1;
+    return a->place < b->place ? -1 : a->place > b->place;
+}
+
 static int compare_area(const void* a, const void* b) {
     const region *p = a, *q = b;
-    if (p->area != q->area) return p->area > q->area ? -1 : 1;
-    return p->label < q->label ? -1 : 1;
+    return compare_regions(p, q, rounded_bits(q->area), rounded_bits(p->area));
 }
 
 static int compare_gap(const void* a, const void* b) {
     const region *p = a, *q = b;
-    if (p->gap != q->gap) return p->gap < q->gap ? -1 : 1;
-    return p->label < q->label ? -1 : 1;
+    return compare_regions(p, q, rounded_bits(p->gap), rounded_bits(q->gap));
 }
 
 static dm_result allocate_labels(dmi_arena* arena, side* s) {
@@ -78,7 +93,7 @@ static dm_result measure_regions(dmi_arena* arena, uint32_t count, side* s) {
     s->regions = dmi_arena_push(arena, sizeof *s->regions * (count + 1));
     s->region_count = count;
     if (s->regions == NULL) return DM_ERROR_OUT_OF_MEMORY;
-    for (uint32_t r = 0; r < count; r++) s->regions[r] = (region){.label = r, .gap = INFINITY};
+    for (uint32_t r = 0; r < count; r++) s->regions[r] = (region){.label = r, .gap = INFINITY, .place = UINT64_MAX};
     for (uint32_t f = 0; f < mesh->face_count; f++) s->regions[s->labels[f]].faces++;
     for (uint32_t r = 1; r < count; r++) s->regions[r].first = s->regions[r - 1].first + s->regions[r - 1].faces;
     for (uint32_t r = 0; r < count; r++) s->regions[r].faces = 0;
@@ -87,14 +102,18 @@ static dm_result measure_regions(dmi_arena* arena, uint32_t count, side* s) {
         s->order[r->first + r->faces++] = f;
         r->area += mesh->face_area[f];
         r->gap = dmi_min(r->gap, s->faces.gap[f]);
+        for (size_t k = 0; k < 3; k++) {
+            const uint64_t place = dmi_hash_place(s->faces.corners[3 * (size_t)f + k]);
+            r->place = place < r->place ? place : r->place;
+        }
     }
     return DM_OK;
 }
 
 /* ---- a region's patch ---- */
 
-/* Computes the axis of the best rotational slippage from weighted samples: corners and centre of up to about
- * MAX_FITTED_FACES faces. */
+/* Computes the axis of the best rotational slippage from weighted samples: the middles of the edges of up to about
+ * MAX_FITTED_FACES faces. They integrate what slippage sums exactly, so that no diagonal of a flat polygon counts. */
 static void fit_axis(const side* s, const region* r, dmi_patch* patch) {
     float(*xyz)[3] = s->samples->xyz, (*normal)[3] = s->samples->normal, *weight = s->samples->weight;
     uint32_t count = 0, step = r->faces / MAX_FITTED_FACES + 1;
@@ -102,7 +121,7 @@ static void fit_axis(const side* s, const region* r, dmi_patch* patch) {
         uint32_t f = s->order[r->first + n];
         const float(*x)[3] = (const float(*)[3])s->faces.corners + 3 * (size_t)f;
         for (uint32_t k = 0; k < FACE_SAMPLES; k++, count++) {
-            for (int i = 0; i < 3; i++) xyz[count][i] = k < 3 ? x[k][i] : (x[0][i] + x[1][i] + x[2][i]) / 3;
+            for (int i = 0; i < 3; i++) xyz[count][i] = (x[k][i] + x[(k + 1) % FACE_SAMPLES][i]) / 2;
             dmi_copy3(s->faces.mesh.face_normal + 3 * (size_t)f, normal[count]);
             weight[count] = s->faces.mesh.face_area[f] + MIN_WEIGHT;
         }

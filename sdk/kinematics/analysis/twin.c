@@ -25,12 +25,11 @@ static bool lies_in(const dmi_distance_grid* grid, const float point[3]) {
 
 /* Returns the mean distance of the points' mirror images from the grid's samples, over the part's diagonal. Images
  * outside the grid do not count where `inside`. The mirror's normal is `way`, its place along it `at`. */
-static float image_distance(const dmi_part_analysis* a, const float (*points)[3], uint32_t count, uint32_t most,
+static float image_distance(const dmi_part_analysis* a, const float (*points)[3], uint32_t count,
                             const dmi_distance_grid* grid, const float way[3], float at, bool inside) {
-    const uint32_t step = 1 + (count - 1) / most;
     float sum = 0;
-    uint32_t compared = 0, known = 0;
-    for (uint32_t i = 0; i < count; i += step, compared++) {
+    uint32_t known = 0;
+    for (uint32_t i = 0; i < count; i++) {
         float image[3];
         dmi_copy3(points[i], image);
         dmi_madd3(image, 2 * (at - dmi_dot3(image, way)), way, image);
@@ -38,7 +37,7 @@ static float image_distance(const dmi_part_analysis* a, const float (*points)[3]
         sum += dmi_min(dmi_distance_grid_distance(grid, image) / a->diagonal, UNLIKE);
         known++;
     }
-    return (float)known < KNOWN_SHARE * (float)compared ? UNLIKE : sum / (float)known;
+    return (float)known < KNOWN_SHARE * (float)count ? UNLIKE : sum / (float)known;
 }
 
 /* Returns how unlike the part's image beyond its side towards `way` and the body are; UNLIKE when they lie apart. */
@@ -48,9 +47,10 @@ static float compare(const dmi_part_analysis* a, const float way[3]) {
     const float body = end_along(near, a->near_count, way, -1);
     if (!(fabsf(body - side) < MOST_GAP * a->diagonal)) return UNLIKE;
     const float at = (side + body) / 2;
-    const float back = image_distance(a, near, a->near_count, BODY_POINTS, &a->part_grid, way, at, false);
+    const uint32_t count = a->near_count < BODY_POINTS ? a->near_count : BODY_POINTS;
+    const float back = image_distance(a, near, count, &a->part_grid, way, at, false);
     if (back > ALIKE) return UNLIKE;
-    return dmi_max(back, image_distance(a, a->points, DMI_ANALYSIS_POINTS, PART_POINTS, &a->body_grid, way, at, true));
+    return dmi_max(back, image_distance(a, a->points, PART_POINTS, &a->body_grid, way, at, true));
 }
 
 void dmi_analysis_find_twin(dmi_part_analysis* analysis) {

@@ -5,7 +5,7 @@
 #include "kinematics/features/candidate_features.h"
 #include "kinematics/features/cheap_features.h"
 
-#define DMI_SWEPT_POINTS 64 /* points of the part in the collision sweep; by hand */
+#define DMI_SWEPT_POINTS 96 /* points of the part in the collision sweep; by hand */
 
 /* What all candidates of a part are measured with. */
 typedef struct dmi_feature_context {

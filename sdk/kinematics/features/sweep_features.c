@@ -3,13 +3,17 @@
 #include "kinematics/features/feature_groups.h"
 #include "math/linear3.h"
 
-/* How far the part goes. The 2nd and the 4th step only serve to notice hits on the way. */
-enum { SHORT = 0, MIDDLE = 2, LONG = 4, STEPS = 5 };
+/* How far the part goes. The steps between only serve to notice hits on the way: a board that is thinner than a step
+ * and two cells is met by some of the points that pass through it. */
+enum { SHORT = 0, MIDDLE = 4, LONG = 10, STEPS = 11 };
 
-/* Cosines and sines of 0.06, 0.15, 0.35, 0.8 and 1.4 rad, and shares of the part's extent along a slide; by hand. */
-static const float step_cosine[STEPS] = {0.99820054f, 0.98877108f, 0.93937271f, 0.69670671f, 0.16996714f};
-static const float step_sine[STEPS] = {0.05996401f, 0.14943813f, 0.34289781f, 0.71735609f, 0.98544973f};
-static const float step_share[STEPS] = {0.04f, 0.12f, 0.25f, 0.5f, 0.85f};
+/* Cosines and sines of 0.06, 0.1, 0.15, 0.24, 0.35, 0.5, 0.65, 0.8, 1.0, 1.2 and 1.4 rad, and shares of the part's
+ * extent along a slide; by hand. */
+static const float step_cosine[STEPS] = {0.99820054f, 0.99500417f, 0.98877108f, 0.97133797f, 0.93937271f, 0.87758256f,
+                                         0.7960838f,  0.69670671f, 0.54030231f, 0.36235775f, 0.16996714f};
+static const float step_sine[STEPS] = {0.059964006f, 0.099833417f, 0.14943813f, 0.23770263f, 0.34289781f, 0.47942554f,
+                                       0.60518641f,  0.71735609f,  0.84147098f, 0.93203909f, 0.98544973f};
+static const float step_share[STEPS] = {0.04f, 0.08f, 0.12f, 0.18f, 0.25f, 0.33f, 0.41f, 0.5f, 0.61f, 0.73f, 0.85f};
 
 /* Distances in cells of the body's grid, which are exact to a cell; by hand. */
 #define TOUCH_CELLS 2.1f /* nearer than this a point touches the body */

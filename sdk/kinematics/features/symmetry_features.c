@@ -13,7 +13,7 @@
 
 typedef struct sample {
     const float (*points)[3];
-    uint32_t count, step;
+    uint32_t count;
 } sample;
 
 void dmi_symmetry_begin(const dmi_part_analysis* analysis, dmi_symmetry* out) {
@@ -23,12 +23,11 @@ void dmi_symmetry_begin(const dmi_part_analysis* analysis, dmi_symmetry* out) {
 }
 
 static sample part_sample(const dmi_part_analysis* a) {
-    return (sample){a->points, PART_POINTS, 1};
+    return (sample){a->points, PART_POINTS};
 }
 
 static sample near_sample(const dmi_part_analysis* a) {
-    const uint32_t count = a->near_count < BODY_POINTS ? a->near_count : BODY_POINTS;
-    return (sample){(const float(*)[3])a->near_points, count, count > 0 ? a->near_count / count : 1};
+    return (sample){(const float(*)[3])a->near_points, a->near_count < BODY_POINTS ? a->near_count : BODY_POINTS};
 }
 
 /* Returns the mean distance of the points' images from the grid's samples, in the mirror of that normal at a place
@@ -36,7 +35,7 @@ static sample near_sample(const dmi_part_analysis* a) {
 static float image_distance(const float normal[3], float at, sample from, const dmi_distance_grid* grid, float size) {
     float image[3][DMI_POINT_BATCH], distance[DMI_POINT_BATCH], inside[DMI_POINT_BATCH], sum = 0, known = 0;
     for (uint32_t i = 0; i < from.count; i++) {
-        const float* p = from.points[(size_t)i * from.step];
+        const float* p = from.points[i];
         const float off = 2 * (at - dmi_dot3(p, normal));
         for (int k = 0; k < 3; k++) image[k][i] = p[k] + off * normal[k];
         inside[i] = 1;
