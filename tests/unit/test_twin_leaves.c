@@ -30,6 +30,10 @@ static void a_mirror_image_beside_a_part_is_its_twin(void** state) {
     test_analysis_close(&a);
 }
 
+static void free_each_way(dmi_part_analysis* part) {
+    for (int k = 0; k < 3; k++) part->clearance[k][0] = part->clearance[k][1] = DMI_MOST_CLEARANCE;
+}
+
 static void a_frame_is_no_twin(void** state) {
     (void)state;
     make_leaves();
@@ -140,7 +144,7 @@ static void the_far_side_is_likelier_than_the_seam(void** state) {
             test_candidate(a.mesh, DM_JOINT_PRISMATIC, along, (const double[]){0, 0, 0}),
         };
         float probability[] = {0.01f, 0.89f, 0.1f};
-        dmi_twin_weigh(&a.of_part, candidates, 3, probability);
+        dmi_leaves_weigh(&a.of_part, candidates, 3, probability);
         assert_float_equal(probability[0] + probability[1] + probability[2], 1, 1e-5f);
         if (with_twin)
             assert_true(probability[0] > 0.8f && probability[1] < 0.02f);
@@ -162,7 +166,7 @@ static float gain(dmi_part_analysis* part, int along, int across, float place) {
         candidates[0].origin[k] = (middle + place * half) * box->axes[across][k];
         candidates[1].axis[k] = box->axes[along][k];
     }
-    dmi_twin_weigh(part, candidates, 2, probability);
+    dmi_leaves_weigh(part, candidates, 2, probability);
     return probability[0] / probability[1];
 }
 
@@ -180,6 +184,7 @@ static void where_an_axis_passes_decides(void** state) {
             memset(part, 0, sizeof *part);
             part->has_twin = true;
             part->twin_way[across] = sign;
+            free_each_way(part);
             for (int k = 0; k < 3; k++) {
                 part->box.axes[k][k] = 1;
                 part->box.low[k] = lows[i / 2] + 0.1f * (float)k, part->box.high[k] = part->box.low[k] + 0.8f;
@@ -210,6 +215,7 @@ static void slanted_axes_and_many_candidates(void** state) {
     memset(part, 0, sizeof *part);
     part->has_twin = true;
     part->twin_way[2] = 1;
+    free_each_way(part);
     for (int k = 0; k < 3; k++) part->box.axes[k][k] = 1, part->box.low[k] = -1, part->box.high[k] = 1;
     for (int i = 0; i < CANDIDATES; i++) {
         const float cosine = i % 2 ? 0.905f : 0.895f, sine = sqrtf(1 - cosine * cosine);
@@ -223,12 +229,35 @@ static void slanted_axes_and_many_candidates(void** state) {
         likelihood[i] = probability[i] * (c->type == DM_JOINT_PRISMATIC || i % 2 == 0 ? 1 : expf(says));
         sum += likelihood[i];
     }
-    dmi_twin_weigh(part, candidates, CANDIDATES, probability);
+    dmi_leaves_weigh(part, candidates, CANDIDATES, probability);
     for (int i = 0; i < CANDIDATES; i++) {
         assert_float_equal(probability[i], likelihood[i] / sum, 1e-5f);
         all += probability[i];
     }
     assert_float_equal(all, 1, 1e-5f);
+}
+
+/* A slide with the body in its way on both sides is unlikely. One free way is enough, and turns are as likely as
+ * before. */
+static void a_blocked_slide_is_unlikely(void** state) {
+    (void)state;
+    dmi_part_analysis* part = &a.of_part;
+    memset(part, 0, sizeof *part);
+    for (int k = 0; k < 3; k++) part->box.axes[k][k] = 1, part->box.low[k] = -1, part->box.high[k] = 1;
+    for (int blocked = 0; blocked < 3; blocked++) {
+        for (int ways = 1; ways <= 2; ways++) {
+            free_each_way(part);
+            for (int way = 0; way < ways; way++) part->clearance[blocked][way] = 0.07f;
+            for (int axis = 0; axis < 3; axis++) {
+                dmi_candidate candidates[2] = {{.type = DM_JOINT_PRISMATIC}, {.type = DM_JOINT_REVOLUTE}};
+                float probability[2] = {0.5f, 0.5f};
+                candidates[0].axis[axis] = candidates[1].axis[axis] = 1;
+                dmi_leaves_weigh(part, candidates, 2, probability);
+                const float want = ways == 2 && axis == blocked ? -1.5f : 0;
+                assert_float_equal(logf(probability[0] / probability[1]), want, 1e-4f);
+            }
+        }
+    }
 }
 
 /* With the ranker that ships: pulled at the seam, the leaf turns about its far side. */
@@ -265,6 +294,7 @@ int main(void) {
         cmocka_unit_test(a_wall_behind_or_a_wider_neighbour_is_no_twin),
         cmocka_unit_test(far_edges_are_candidates),
         cmocka_unit_test(each_side_has_three_lines),
+        cmocka_unit_test(a_blocked_slide_is_unlikely),
         cmocka_unit_test(slanted_axes_and_many_candidates),
         cmocka_unit_test(the_far_side_is_likelier_than_the_seam),
         cmocka_unit_test(where_an_axis_passes_decides),

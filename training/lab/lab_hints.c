@@ -91,7 +91,7 @@ static dm_result rank(hint_work* w, dmi_arena* arena, uint32_t part, const dmi_d
     dmi_candidate_features_make(&w->analysis, drag, prediction, w->score, w->candidates, w->count, w->features);
     dmi_ranker_probabilities(&w->joints->ranker, isa, (const float(*)[DMI_FEATURE_COUNT])w->features, w->count,
                              w->probability);
-    dmi_twin_weigh(&w->analysis, w->candidates, w->count, w->probability);
+    dmi_leaves_weigh(&w->analysis, w->candidates, w->count, w->probability);
     return DM_OK;
 }
 

@@ -19,6 +19,10 @@ dm_result dmi_analysis_find_protrusions(dmi_arena* arena, dmi_part_analysis* ana
 /* twin.c: has_twin and twin_way. */
 void dmi_analysis_find_twin(dmi_part_analysis* analysis);
 
+/* clearance.c: clearance, from the body's faces in the box low .. high. moving[f]: 1 for the faces of the part. */
+void dmi_analysis_find_clearance(const uint8_t* moving, const float low[3], const float high[3],
+                                 dmi_part_analysis* analysis);
+
 /* patches.c: shells and smooth regions of the part and of the body in the box low .. high. moving[f]: 1 for the faces
  * of the part. */
 dm_result dmi_analysis_find_patches(dmi_arena* arena, const uint8_t* moving, const float low[3], const float high[3],

@@ -150,6 +150,7 @@ dm_result dmi_part_analysis_make(dmi_arena* arena, const dmi_mesh* mesh, const d
     if (result == DM_OK) result = dmi_progress_tell(progress, DMI_STAGE_ANALYSE_MEASURED);
     if (result != DM_OK) return result;
     dmi_analysis_find_twin(out);
+    dmi_analysis_find_clearance(moving, low, high, out);
     out->object_extreme_point_count =
         dmi_extreme_points((const float(*)[3])cloud->xyz, DMI_CLOUD_POINTS, (const float(*)[3])out->box.axes, 3,
                            out->object_extreme_points);

@@ -16,6 +16,7 @@
 #define DMI_CONTACT_REGIONS 3     /* absolute, relative and rank limit of the gap, see contacts.c */
 #define DMI_MAX_PATCHES 24        /* patches of the part, and of the body near it; by hand */
 #define DMI_MAX_NORMAL_CLUSTERS 6 /* clusters of the part, and of the body near it; by hand */
+#define DMI_MOST_CLEARANCE 0.5f   /* sides: what lies farther than this is not told apart; by hand */
 #define DMI_WELD_TOLERANCE 1e-5f  /* object sizes, of the welded vertices; by hand */
 
 /* The part's points whose gap is below a limit. */
@@ -64,6 +65,9 @@ typedef struct dmi_part_analysis {
     float protrusion_spread, protrusion_share;
     bool has_twin;     /* the body near the part is nothing but the part's mirror image beside it */
     float twin_way[3]; /* unit, from the part towards its twin; along an axis of the box */
+    /* how far the part may slide along each axis of the box, against it and along it, before the body stands in its
+     * way, in sides of the box, at most DMI_MOST_CLEARANCE */
+    float clearance[3][2];
     float part_directions[3][3], all_directions[3][3]; /* principal: of the points; of near_points */
     dmi_normal_cluster part_clusters[DMI_MAX_NORMAL_CLUSTERS], near_clusters[DMI_MAX_NORMAL_CLUSTERS];
     uint32_t part_cluster_count, near_cluster_count;

@@ -95,10 +95,10 @@ static void measure_features(work* w) {
                                 w->count, w->features);
 }
 
-/* Multiplies probabilities by what a twin beside the part, names and a pivot say. */
+/* Multiplies probabilities by what a twin beside the part or a frame around it, names and a pivot say. */
 static void weigh_by_evidence(const work* w, float* probability) {
     const dmi_asset_hints* asset = w->query->asset_hints;
-    dmi_twin_weigh(&w->analysis, w->candidates, w->count, probability);
+    dmi_leaves_weigh(&w->analysis, w->candidates, w->count, probability);
     if (!dmi_asset_hints_are_empty(asset))
         dmi_hints_weigh(asset, &w->analysis, w->query->hint, w->candidates, w->count, probability);
 }
@@ -127,7 +127,7 @@ static bool read_straight_pull(const work* w, dmi_drag_hint* out_hint) {
     const dmi_ranked_candidates ranked = {&w->analysis, w->candidates, probability, w->count};
     dmi_ranker_geometry_probabilities(ranker(w), w->query->models.isa, (const float(*)[DMI_FEATURE_COUNT])w->features,
                                       w->count, probability);
-    dmi_twin_weigh(&w->analysis, w->candidates, w->count, probability);
+    dmi_leaves_weigh(&w->analysis, w->candidates, w->count, probability);
     if (dmi_select_hypotheses(&ranked, DMI_SELECT_LIKELIER_TYPE_FIRST, selected) == 0) return false;
     return dmi_straight_pull_read(selected[0].candidate, w->features[selected[0].index], w->query->hint, out_hint);
 }

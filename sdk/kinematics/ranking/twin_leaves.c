@@ -1,4 +1,5 @@
-/* Weighs turns by where their axis passes the leaf: at the seam, at the far side, or at an end. */
+/* Weighs turns of a leaf beside its twin by where their axis passes it, at the seam, at the far side, or at an end, and
+ * slides by whether the body stands in their way. */
 #include "kinematics/ranking/twin_leaves.h"
 
 #include <float.h>
@@ -13,6 +14,11 @@
 #define OUTSIDE 5.0f    /* bonus of turns along the seam, at the side away from it */
 #define AT_SEAM (-4.0f) /* bonus of turns along the seam, at the seam */
 #define AT_END 3.0f     /* bonus of turns across the seam, at one of its ends: flaps side by side */
+
+#define BLOCKED 0.08f /* sides: a slide with less clearance than this both ways is blocked; by hand */
+/* Log-likelihood of blocked slides, by hand. The ranker has seen them, since displaced parts of the generator's messy
+ * objects overlap the body; a part that a player pulls cannot go there. */
+#define CANNOT_SLIDE (-1.5f)
 
 /* The sides of the part's box: across the seam, and of the other two the longer and the shorter. */
 typedef struct leaf_sides {
@@ -40,7 +46,7 @@ static float place_along(const dmi_box* box, int side, const float point[3]) {
     return (dmi_dot3(point, box->axes[side]) - middle) / dmi_max(half, FLT_MIN);
 }
 
-static float log_likelihood(const dmi_part_analysis* a, const leaf_sides* sides, const dmi_candidate* c) {
+static float log_likelihood_beside_twin(const dmi_part_analysis* a, const leaf_sides* sides, const dmi_candidate* c) {
     if (c->type == DM_JOINT_PRISMATIC) return 0;
     if (fabsf(dmi_dot3(c->axis, a->box.axes[sides->along])) > ALONG) {
         const float place = sides->sign * place_along(&a->box, sides->across, c->origin);
@@ -67,12 +73,23 @@ uint32_t dmi_twin_add_candidates(const dmi_part_analysis* analysis, const dmi_dr
     return count;
 }
 
-void dmi_twin_weigh(const dmi_part_analysis* analysis, const dmi_candidate* candidates, uint32_t count,
-                    float* probability) {
-    if (!analysis->has_twin) return;
+static float log_likelihood_of_slide(const dmi_part_analysis* a, const dmi_candidate* c) {
+    if (c->type != DM_JOINT_PRISMATIC) return 0;
+    for (int k = 0; k < 3; k++) {
+        const bool along = fabsf(dmi_dot3(c->axis, a->box.axes[k])) > ALONG;
+        if (along && dmi_max(a->clearance[k][0], a->clearance[k][1]) < BLOCKED) return CANNOT_SLIDE;
+    }
+    return 0;
+}
+
+void dmi_leaves_weigh(const dmi_part_analysis* analysis, const dmi_candidate* candidates, uint32_t count,
+                      float* probability) {
     const leaf_sides sides = sides_of(analysis);
     float sum = 0;
-    for (uint32_t i = 0; i < count; i++)
-        sum += probability[i] *= dmi_expf(log_likelihood(analysis, &sides, &candidates[i]));
+    for (uint32_t i = 0; i < count; i++) {
+        float log_likelihood = log_likelihood_of_slide(analysis, &candidates[i]);
+        if (analysis->has_twin) log_likelihood += log_likelihood_beside_twin(analysis, &sides, &candidates[i]);
+        sum += probability[i] *= dmi_expf(log_likelihood);
+    }
     for (uint32_t i = 0; i < count; i++) probability[i] /= dmi_max(sum, FLT_MIN);
 }

@@ -1,5 +1,5 @@
-/* Two leaves that touch only each other, such as double doors without a frame. Their contact is the seam, but they are
- * hung at the outer sides. */
+/* Two leaves that touch only each other, such as double doors without a frame: their contact is the seam, but they are
+ * hung at the outer sides. And parts that the body stands around, which cannot slide into it. */
 #ifndef DMI_RANKING_TWIN_LEAVES_H
 #define DMI_RANKING_TWIN_LEAVES_H
 
@@ -11,9 +11,9 @@
 uint32_t dmi_twin_add_candidates(const dmi_part_analysis* analysis, const dmi_drag_hint* hint,
                                  dmi_candidate* candidates, uint32_t count);
 
-/* Multiplies the probabilities by the likelihood of the candidates' places, seen from the seam; they sum to 1 again.
- * Leaves them as they are without a twin. */
-void dmi_twin_weigh(const dmi_part_analysis* analysis, const dmi_candidate* candidates, uint32_t count,
-                    float* probability);
+/* Multiplies the probabilities by the likelihoods of turns, seen from the seam with a twin, and of slides, seen from
+ * what stands in their way. They sum to 1 again. */
+void dmi_leaves_weigh(const dmi_part_analysis* analysis, const dmi_candidate* candidates, uint32_t count,
+                      float* probability);
 
 #endif
