@@ -321,7 +321,8 @@ static void a_turn_needs_a_reason(void** state) {
         rows[0][DMI_FEATURE_PRISMATIC] = 1;
         rows[0][DMI_FEATURE_HAS_DRAG] = rows[1][DMI_FEATURE_HAS_DRAG] = (float)dragged;
         dmi_ranker_probabilities(NULL, DMI_ISA_SCALAR, (const float(*)[DMI_FEATURE_COUNT])rows, COUNT, probability);
-        assert_float_equal(logf(probability[0] / probability[1]), dragged ? 3 : 1.5f, 1e-4f);
+        const float cost = dragged ? 3 : 1.5f;
+        assert_float_equal(logf(probability[0] / probability[1]), cost, 1e-4f);
         rows[1][DMI_FEATURE_NEAREST_ON_AXIS] = 1;
         dmi_ranker_probabilities(NULL, DMI_ISA_SCALAR, (const float(*)[DMI_FEATURE_COUNT])rows, COUNT, probability);
         assert_true(probability[0] < 0.4f);
