@@ -10,7 +10,7 @@ trap 'umount "$work/disk" 2> /dev/null || true; rm -rf "$work"' EXIT
 gcc -std=gnu17 -Wall -Wextra -shared -fPIC tests/e2e/failing_files.c -o "$work/failing.so" -ldl
 
 "$build/dragmesh_generate" --category door --seed 1 -o "$work/set/door"
-"$build/dragmesh_generate" --category tap --seed 1 -o "$work/wrong/tap" # whose joint is not found without weights
+"$build/dragmesh_generate" --category lever --seed 1 -o "$work/wrong/lever" # whose joint is not found without weights
 object=$work/set/door/object.glb
 drag=$(tr -d ' \n\t' < "$work/set/door/joints.json" | grep -o '"drags":\[{"point":\[[^]]*\],"vector":\[[^]]*\]' | head -1)
 part="--models none --moving door"
