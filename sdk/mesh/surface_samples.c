@@ -208,9 +208,11 @@ static dmi_bounds box_of(const dmi_surface* s) {
 /* Returns a positive number rounded down to five binary digits: sums of areas differ in their last digits with the
  * order of the faces, and the lattice must not. */
 static float round_down(float value) {
-    int exponent;
-    const float digits = 32 * frexpf(value, &exponent); /* literal: five digits */
-    return ldexpf((float)(int)digits / 32, exponent);   /* literal: as above */
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    bits &= 0xfff80000u; /* literal: sign, exponent, and four digits after the leading one */
+    memcpy(&value, &bits, sizeof value);
+    return value;
 }
 
 static void meet_surface(lattice* l) {
