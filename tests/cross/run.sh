@@ -30,7 +30,6 @@ windows)
     export LC_ALL=C.UTF-8 WINEPREFIX=$built/wine WINEDEBUG=-all WINEDLLOVERRIDES="mscoree,mshtml,winemenubuilder.exe=" WINEPATH=$built
     runner=wine suffix=.exe compiler=x86_64-w64-mingw32-gcc tool_tests=(test_cli_bad_input test_cli_infer test_cli_outputs)
     prepared="kitchen_cabinet:7 oven:3 toilet:5" laboratory=dragmesh
-    joints_apart=1e-3 # confidences of some joints differ in the fourth digit, for a reason that is not known
     mkdir -p "$WINEPREFIX"
     # One server for all programs. One that ends with each program meets the next one while it ends, and closes that
     # one's connection: seldom, a program then ends at once, without a word and with status 0.

@@ -57,7 +57,8 @@ typedef struct placed_face {
 
 static int compare_keys(const void* a, const void* b) {
     const placed_face *p = a, *q = b;
-    return p->key < q->key ? -1 : p->key > q->key;
+    if (p->key != q->key) return p->key < q->key ? -1 : 1;
+    return p->face < q->face ? -1 : p->face > q->face; /* one qsort keeps equal ones in order, another does not */
 }
 
 static placed_face place_face(const dmi_mesh* mesh, uint32_t face) {

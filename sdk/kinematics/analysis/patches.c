@@ -60,7 +60,8 @@ static uint32_t rounded_bits(float value) {
 /* Which of two regions comes first depends on neither the order of the faces nor the diagonals of flat polygons. */
 static int compare_regions(const region* a, const region* b, uint32_t bits_a, uint32_t bits_b) {
     if (bits_a != bits_b) return bits_a < bits_b ? -1 : 1;
-    return a->place < b->place ? -1 : a->place > b->place;
+    if (a->place != b->place) return a->place < b->place ? -1 : 1;
+    return a->label < b->label ? -1 : a->label > b->label; /* one qsort keeps equal ones in order, another does not */
 }
 
 static int compare_area(const void* a, const void* b) {
