@@ -7,7 +7,6 @@
 #include "base/utf8.h"
 #include "gltf/gltf_asset.h"
 #include "gltf/gltf_buffers.h"
-#include "gltf/gltf_disk.h"
 #include "gltf/gltf_document.h"
 #include "gltf/gltf_folder.h"
 #include "gltf/gltf_geometry.h"
@@ -113,7 +112,7 @@ dm_result dm_gltf_open(const dm_gltf_desc* desc, dm_gltf** out_gltf) {
 
 /* The folder that holds the file, as new memory of *out_size bytes. */
 static char* folder_of(dmi_env* env, const char* path, size_t* out_size) {
-    const char* slash = dmi_disk_last_separator(path);
+    const char* slash = dmi_gltf_last_separator(path);
     const size_t length = !slash ? 1 : slash == path ? 1 : (size_t)(slash - path);
     char* folder = dmi_alloc(env, length + 1, 1);
     if (!folder) return NULL;

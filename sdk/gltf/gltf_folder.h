@@ -1,4 +1,4 @@
-/* Files of a folder. */
+/* The files of the disk: a document, and those of its folder. */
 #ifndef DMI_GLTF_FOLDER_H
 #define DMI_GLTF_FOLDER_H
 
@@ -15,5 +15,7 @@ typedef struct dmi_gltf_contents {
 dm_result dmi_gltf_read_file(dmi_env* env, const char* path, dmi_gltf_contents* out);
 /* Returns the files of gltf->on_disk.folder. */
 dm_gltf_files dmi_gltf_folder_files(dm_gltf* gltf);
+/* Returns the last character that separates names, or NULL when there is one name alone. */
+const char* dmi_gltf_last_separator(const char* path);
 
 #endif
