@@ -11,8 +11,6 @@
 #include "gltf/gltf_folder.h"
 #include "gltf/gltf_geometry.h"
 #include "gltf/gltf_merge.h"
-#include "gltf/gltf_morph.h"
-#include "gltf/gltf_names.h"
 #include "gltf/gltf_tree.h"
 
 /* Bytes of a description before fields were added to it. */

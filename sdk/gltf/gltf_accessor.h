@@ -1,4 +1,5 @@
-/* Elements of accessors, checked against the bytes that are really there. */
+/* Elements of accessors, checked against the bytes that are really there, and the samplers of animations that they
+ * make up (gltf_sampler.c). */
 #ifndef DMI_GLTF_ACCESSOR_H
 #define DMI_GLTF_ACCESSOR_H
 
@@ -34,5 +35,24 @@ double dmi_gltf_value(const dmi_gltf_elements* elements, uint64_t i, int compone
 uint64_t dmi_gltf_find_change(const dmi_gltf_elements* elements, uint64_t element);
 /* Writes all elements of an accessor of one unsigned integer each, changes included. */
 void dmi_gltf_read_indices(const dmi_gltf_elements* elements, uint32_t* out);
+
+/* ---- animation samplers (glTF 2.0 §3.11) ---- */
+
+typedef enum dmi_gltf_interpolation { DMI_GLTF_LINEAR, DMI_GLTF_STEP, DMI_GLTF_CUBIC } dmi_gltf_interpolation;
+
+/* Keys of one property of one node. */
+typedef struct dmi_gltf_sampler {
+    dmi_gltf_elements times, values;
+    dmi_gltf_interpolation interpolation;
+    int components; /* 3, or 4 for a rotation */
+} dmi_gltf_sampler;
+
+/* Reads a sampler for values of `components` numbers. Times rise and all numbers are finite then. */
+dm_result dmi_gltf_read_sampler(dm_gltf* gltf, const cJSON* json, int components, const char* place,
+                                dmi_gltf_problem* problem, dmi_gltf_sampler* out);
+double dmi_gltf_sample_time(const dmi_gltf_sampler* sampler, uint64_t key);
+/* Writes the value at a time. Before the first key and after the last one, it is the value of that key. Rotations are
+ * unit quaternions. */
+void dmi_gltf_sample(const dmi_gltf_sampler* sampler, double time, double out[4]);
 
 #endif

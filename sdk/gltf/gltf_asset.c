@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/fp_environment.h"
-#include "gltf/gltf_hints.h"
+#include "gltf/gltf_tree.h"
 
 /* Bytes that the arena takes from the host at a time; by hand. */
 #define BLOCK_SIZE ((size_t)1 << 16)

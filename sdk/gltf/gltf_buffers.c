@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "gltf/gltf_meshopt.h"
-#include "gltf/gltf_uri.h"
 
 /* ---- the parts of a .glb or .gltf file ---- */
 

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "gltf/gltf_sampler.h"
+#include "gltf/gltf_accessor.h"
 #include "gltf/gltf_tree.h"
 
 enum { TRANSLATION, ROTATION, SCALE, PATHS };

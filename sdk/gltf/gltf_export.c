@@ -13,11 +13,10 @@
 #include <string.h>
 
 #include "base/fp_environment.h"
+#include "gltf/gltf_buffers.h"
 #include "gltf/gltf_edit.h"
 #include "gltf/gltf_moves.h"
-#include "gltf/gltf_split.h"
 #include "gltf/gltf_tree.h"
-#include "gltf/gltf_uri.h"
 #include "math/dual_quat.h"
 #include "math/elementary.h"
 

@@ -1,4 +1,4 @@
-/* Vertices and triangles of a primitive, wherever the file keeps them. */
+/* Vertices and triangles of a primitive, wherever the file keeps them, and its morph targets (gltf_morph.c). */
 #ifndef DMI_GLTF_GEOMETRY_H
 #define DMI_GLTF_GEOMETRY_H
 
@@ -34,5 +34,26 @@ dm_result dmi_gltf_find_in_draco(dm_gltf* gltf, const cJSON* primitive, const ch
 
 /* Frees what compressed views hold, and their list. */
 void dmi_gltf_release_decoded(dm_gltf* gltf);
+
+/* ---- morph targets, in the weights that they have at rest ---- */
+
+/* Vertices of a primitive, as they lie in its mesh. */
+typedef struct dmi_gltf_morphed {
+    const cJSON* primitive;
+    const cJSON* weights; /* one number a target; NULL: all are 0 */
+    const char* place;
+    const uint32_t* elements; /* per vertex: its position in the accessors */
+    float* positions;         /* 3 a vertex */
+    uint64_t count;
+} dmi_gltf_morphed;
+
+/* Gives each node whose weights differ from those of another node with the same mesh a copy of the mesh. */
+dm_result dmi_gltf_part_morphs(dm_gltf* gltf, dmi_gltf_problem* problem);
+/* Returns the weights that a node has at rest, or NULL when all are 0. */
+const cJSON* dmi_gltf_weights_of(const dm_gltf* gltf, const cJSON* node);
+/* Returns whether the primitive has targets for the weights. */
+int dmi_gltf_is_morphed(const cJSON* primitive, const cJSON* weights);
+/* Moves the vertices by the targets. A target that cannot be read is left out with a warning. */
+dm_result dmi_gltf_morph(dm_gltf* gltf, const dmi_gltf_morphed* morphed, dmi_gltf_problem* problem);
 
 #endif

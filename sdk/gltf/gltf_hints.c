@@ -1,6 +1,6 @@
 /* What a file says of a node beside its mesh: the names on the way to it, where it is, its axes, and whether these are
  * the modeller's own. */
-#include "gltf/gltf_hints.h"
+#include "gltf/gltf_tree.h"
 
 #include <float.h>
 #include <math.h>
@@ -8,7 +8,6 @@
 
 #include "base/fp_environment.h"
 #include "gltf/gltf_matrix.h"
-#include "gltf/gltf_names.h"
 
 enum { COLUMN = DMI_GLTF_COLUMN, ORIGIN = DMI_GLTF_ORIGIN };
 

@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "gltf/gltf_matrix.h"
-#include "gltf/gltf_skin.h"
 
 /* ---- lists ---- */
 

@@ -1,7 +1,7 @@
 /* JSON read by cJSON, whose memory comes from malloc: its hooks belong to the whole process, so they stay as they are.
  * A text of n bytes takes at most 40 n (a value of one byte and a comma: 64 bytes and the heap's own 16), and 4 n more
  * while it is read (a member of five bytes: 16 bytes of the list of names). */
-#include "gltf/gltf_json.h"
+#include "gltf/gltf_document.h"
 
 #include <errno.h>
 #include <math.h>

@@ -7,7 +7,7 @@
 #include "base/fp_environment.h"
 #include "base/utf8.h"
 #include "gltf/gltf_file.h"
-#include "gltf/gltf_names.h"
+#include "gltf/gltf_tree.h"
 #include "mesh/mask.h"
 
 /* What is known of a node of the file while names are looked up. */

@@ -6,8 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "gltf/gltf_hints.h"
-#include "gltf/gltf_skin.h"
+#include "gltf/gltf_tree.h"
 
 /* An object this many times its size away from the scene's origin gets an origin of its own: a float there holds a
  * 65000th of its size. By hand. */

@@ -3,7 +3,7 @@
 #ifndef DMI_GLTF_MESHOPT_H
 #define DMI_GLTF_MESHOPT_H
 
-#include "gltf/gltf_json.h"
+#include "gltf/gltf_document.h"
 
 /* A compressed buffer view. */
 typedef struct dmi_meshopt_view {

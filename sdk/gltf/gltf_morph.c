@@ -1,10 +1,8 @@
 /* Morph targets (glTF 2.0 §3.7.2.2): a vertex stands where its position and the weighted sum of its targets is. */
-#include "gltf/gltf_morph.h"
+#include "gltf/gltf_geometry.h"
 
 #include <math.h>
 #include <stdbool.h>
-
-#include "gltf/gltf_accessor.h"
 
 /* Most targets of one primitive; by hand: faces have some 50. */
 #define MOST_TARGETS 256

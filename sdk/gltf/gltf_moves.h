@@ -1,4 +1,5 @@
-/* Who moves with which track of an export, and the keys of a track as an animated node. */
+/* Who moves with which track of an export, the keys of a track as an animated node, and meshes of what moves
+ * (gltf_split.c). */
 #ifndef DMI_GLTF_MOVES_H
 #define DMI_GLTF_MOVES_H
 
@@ -32,5 +33,12 @@ cJSON* dmi_animation_add(dmi_edit* e, const char* name);
  * `out_pivot` in the scene. */
 dmi_edit_item dmi_animation_add_track(dmi_edit* e, const dmi_moves* moves, cJSON* animation, const dm_gltf_track* track,
                                       uint32_t index, double out_pivot[3]);
+
+/* ---- meshes of some of a node's triangles ---- */
+
+/* Adds a mesh of the triangles of a node that `owner` has (as dmi_moves.owners counts), with owner 0 also of what has
+ * no triangles. Returns its index, or -1 when there is nothing. For a node with a skin, a mesh that moves stands in the
+ * scene's frame, less the origin, and has no bones. */
+int32_t dmi_split_mesh(dmi_edit* e, const dmi_moves* moves, uint32_t node, uint32_t owner);
 
 #endif

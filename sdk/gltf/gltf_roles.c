@@ -7,7 +7,6 @@
 #include <strings.h>
 
 #include "gltf/gltf_file.h"
-#include "gltf/gltf_names.h"
 #include "gltf/gltf_tree.h"
 
 /* ---- levels of detail: the same thing again, with fewer triangles ---- */

@@ -1,5 +1,5 @@
 /* Computes values between keys: linear, on the sphere for rotations; steps; cubic splines. */
-#include "gltf/gltf_sampler.h"
+#include "gltf/gltf_accessor.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -8,8 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "gltf/gltf_morph.h"
-
 /* Longest description of a place in a file ("node 3 'door', primitive 0"). */
 #define PLACE_SIZE 192
 #define SEVERAL UINT32_MAX

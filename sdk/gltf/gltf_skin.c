@@ -1,5 +1,5 @@
 /* Applies linear blend skinning (glTF 2.0 §3.7.3.3), in the pose that the nodes of the file have. */
-#include "gltf/gltf_skin.h"
+#include "gltf/gltf_merge.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -1,13 +1,13 @@
 /* Splits the mesh of a node between what stays and what moves. Where the triangles alone tell the halves apart, they
  * share their vertices; compressed vertices, and those that bones have placed, are copied. */
-#include "gltf/gltf_split.h"
+#include "gltf/gltf_moves.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "gltf/gltf_edit.h"
 #include "gltf/gltf_geometry.h"
-#include "gltf/gltf_skin.h"
+#include "gltf/gltf_merge.h"
 
 typedef struct splitter {
     dmi_edit* e;

@@ -1,5 +1,5 @@
 /* Decodes data: URIs in base64, and relative ones. */
-#include "gltf/gltf_uri.h"
+#include "gltf/gltf_buffers.h"
 
 #include <string.h>
 
