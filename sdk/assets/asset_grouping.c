@@ -1,4 +1,4 @@
-/* Chooses among the sets of the merge tree the bodies that move, and finds what carries each. */
+/* Chooses among the sets of the merge tree the bodies that move, and those that might. */
 #include "assets/asset_grouping.h"
 
 #include <math.h>
@@ -7,7 +7,6 @@
 #include "assets/body_carriers.h"
 #include "assets/node_cells.h"
 #include "assets/set_ratings.h"
-#include "assets/staying_bodies.h"
 #include "math/elementary.h"
 
 /* Probability from which a set is answered, which is stated as one half. Bodies that are found and those that are
@@ -20,89 +19,9 @@
 #define LIKELY 0.5f
 #define LIKELY_STATED 0.58f
 
+#define LEAST 0.05f /* probability below which a set is no answer; by hand */
+
 #define NOTHING 0xff /* every byte of an index that is none */
-
-/* ---- units that touch each other, but not the rest of what stays ---- */
-
-#define NONE UINT32_MAX
-/* Largest share of the body's cells that a group has: a gate's second post is no handle; by hand. */
-#define MOST_SHARE 0.25f
-
-typedef struct groups {
-    uint32_t* of_unit; /* group of each unit; NONE: it is of a body */
-    uint32_t* cells;   /* number of each group's cells */
-    uint32_t* stack;   /* scratch */
-    uint32_t count, largest;
-} groups;
-
-/* Spreads group `group` from a unit to all that it touches, through units that stay. */
-static void spread(const dmi_node_cells* g, const uint32_t* body_of_unit, uint32_t unit, uint32_t group, groups* out) {
-    uint32_t depth = 0;
-    out->stack[depth++] = unit;
-    out->of_unit[unit] = group;
-    while (depth > 0) {
-        const uint32_t at = out->stack[--depth];
-        out->cells[group] += dmi_cell_count(g, at);
-        for (uint32_t n = 0; n < g->node_count; n++) {
-            if (body_of_unit[n] != NONE || out->of_unit[n] != NONE) continue;
-            if (g->contacts[(size_t)at * g->node_count + n] == 0) continue;
-            out->of_unit[n] = group;
-            out->stack[depth++] = n;
-        }
-    }
-}
-
-static dm_result find_groups(dmi_arena* arena, const dmi_node_cells* g, const uint32_t* body_of_unit, groups* out) {
-    const size_t size = (g->node_count + 1) * sizeof(uint32_t);
-    *out = (groups){dmi_arena_push(arena, size), dmi_arena_push(arena, size), dmi_arena_push(arena, size), 0, 0};
-    if (out->of_unit == NULL || out->cells == NULL || out->stack == NULL) return DM_ERROR_OUT_OF_MEMORY;
-    memset(out->of_unit, 0xff, size); /* literal: every byte of NONE */
-    memset(out->cells, 0, size);
-    for (uint32_t u = 0; u < g->node_count; u++) {
-        if (body_of_unit[u] != NONE || out->of_unit[u] != NONE) continue;
-        spread(g, body_of_unit, u, out->count, out);
-        if (out->cells[out->count] > out->cells[out->largest]) out->largest = out->count;
-        out->count++;
-    }
-    return DM_OK;
-}
-
-/* Returns the body that the group touches most; NONE: it touches none. touched: scratch, one number a body. */
-static uint32_t find_body(const dmi_node_cells* g, const groups* all, uint32_t group, uint32_t body_count,
-                          const uint32_t* body_of_unit, uint32_t* touched) {
-    uint32_t best = NONE;
-    memset(touched, 0, body_count * sizeof *touched);
-    for (uint32_t u = 0; u < g->node_count; u++) {
-        if (all->of_unit[u] != group) continue;
-        for (uint32_t n = 0; n < g->node_count; n++)
-            if (body_of_unit[n] != NONE) touched[body_of_unit[n]] += g->contacts[(size_t)u * g->node_count + n];
-    }
-    for (uint32_t b = 0; b < body_count; b++)
-        if (touched[b] > (best == NONE ? 0 : touched[best])) best = b;
-    return best;
-}
-
-/* Gives units of no body that touch a body, directly or through each other, and nothing else that stays, to the body
- * that they touch most: a handle goes with its door, a book with its drawer. body_of_unit: UINT32_MAX: it stays. */
-static dm_result attach_loose_units(dmi_arena* arena, const dmi_node_cells* grid, uint32_t body_count,
-                                    uint32_t* inout_body_of_unit) {
-    groups all;
-    uint32_t* scratch = dmi_arena_push(arena, (2 * (size_t)body_count + 1) * sizeof *scratch);
-    const dm_result result = find_groups(arena, grid, inout_body_of_unit, &all);
-    if (result != DM_OK || scratch == NULL) return DM_ERROR_OUT_OF_MEMORY;
-    uint32_t *touched = scratch, *cells = scratch + body_count;
-    memset(cells, 0, body_count * sizeof *cells);
-    for (uint32_t u = 0; u < grid->node_count; u++)
-        if (inout_body_of_unit[u] != NONE) cells[inout_body_of_unit[u]] += dmi_cell_count(grid, u);
-    for (uint32_t group = 0; group < all.count; group++) {
-        if (group == all.largest) continue;
-        const uint32_t body = find_body(grid, &all, group, body_count, inout_body_of_unit, touched);
-        if (body == NONE || (float)all.cells[group] > MOST_SHARE * (float)cells[body]) continue;
-        for (uint32_t u = 0; u < grid->node_count; u++)
-            if (all.of_unit[u] == group) inout_body_of_unit[u] = body;
-    }
-    return DM_OK;
-}
 
 /* ---- units: nodes with faces, or nodes that are one body for certain ---- */
 
@@ -154,20 +73,20 @@ static float state(float probability) {
 
 typedef struct choice {
     const dmi_merge_tree* tree;
-    float* moves;    /* set -> probability that it is a body that moves */
-    float* worth;    /* set -> the most that can be had of it and the sets in it */
-    uint8_t* chosen; /* set -> 1: it is better than the sets in it */
+    const float* moves; /* set -> probability that it is a body that moves */
+    float* worth;       /* set -> the most that can be had of it and the sets in it */
+    uint8_t* chosen;    /* set -> 1: it is better than the sets in it */
 } choice;
 
 /* Rates the sets. One that holds a given node is a body only when it is that node alone. */
-static dm_result rate_sets(const dmi_asset_query* q, const dmi_asset_units* u, choice* c) {
-    const dmi_merge_tree* tree = c->tree;
+static dm_result rate_sets(const dmi_asset_query* q, const dmi_asset_units* u, const dmi_merge_tree* tree,
+                           float* out_moves) {
     const dmi_progress rating = dmi_progress_piece(q->progress, DMI_STAGE_GROUP_PAIRS_RATED, 1);
     dmi_set_ratings ratings;
     const dm_result result = dmi_set_ratings_make(q->arena, tree, q->models, DMI_CONTEXT_ROUNDS, &rating, &ratings);
     for (uint32_t s = 0; result == DM_OK && s < tree->set_count; s++) {
         const uint32_t* members = tree->members + tree->first[s];
-        c->moves[s] =
+        out_moves[s] =
             has_given(q, u, members, tree->size[s]) ? (tree->size[s] == 1 ? 1.0f : 0.0f) : state(ratings.moves[s]);
     }
     return result;
@@ -200,18 +119,74 @@ static void list_bodies(const choice* c, dmi_asset_bodies* out, uint32_t* body_o
 /* out_moves: the probability of each set. */
 static dm_result choose_bodies(const dmi_asset_query* q, const dmi_asset_units* u, const dmi_merge_tree* tree,
                                dmi_asset_bodies* out, uint32_t* body_of_unit, const float** out_moves) {
-    choice c = {.tree = tree};
-    c.moves = dmi_arena_push(q->arena, (tree->set_count + 1) * sizeof *c.moves);
+    float* moves = dmi_arena_push(q->arena, (tree->set_count + 1) * sizeof *moves);
+    choice c = {.tree = tree, .moves = moves};
     c.worth = dmi_arena_push(q->arena, (tree->set_count + 1) * sizeof *c.worth);
     c.chosen = dmi_arena_push(q->arena, tree->set_count + 1);
     out->bodies = dmi_arena_push(q->arena, (u->count + 1) * sizeof *out->bodies);
-    if (c.moves == NULL || c.worth == NULL || c.chosen == NULL || out->bodies == NULL) return DM_ERROR_OUT_OF_MEMORY;
-    const dm_result result = rate_sets(q, u, &c);
+    if (moves == NULL || c.worth == NULL || c.chosen == NULL || out->bodies == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    const dm_result result = rate_sets(q, u, tree, moves);
     if (result != DM_OK) return result;
     compare_sets(&c, q->min_moves);
     memset(body_of_unit, NOTHING, u->count * sizeof *body_of_unit);
     list_bodies(&c, out, body_of_unit);
-    *out_moves = c.moves;
+    *out_moves = moves;
+    return DM_OK;
+}
+
+/* ---- bodies that might move, but probably do not: the best choice of the sets that hold no unit of a body ---- */
+
+static bool is_open(const dmi_merge_tree* tree, uint32_t set, const uint32_t* body_of_unit) {
+    const uint32_t* members = tree->members + tree->first[set];
+    for (uint32_t i = 0; i < tree->size[set]; i++)
+        if (body_of_unit[members[i]] != DMI_ASSET_BODY) return false;
+    return true;
+}
+
+/* Compares every set with the best choice of the sets in it: they come before it. */
+static void compare_staying(choice* c, const uint32_t* body_of_unit) {
+    const dmi_merge_tree* tree = c->tree;
+    for (uint32_t s = 0; s < tree->set_count; s++) {
+        const uint32_t* kids = tree->children[s];
+        const float inside = kids[0] == UINT32_MAX ? 0 : c->worth[kids[0]] + c->worth[kids[1]];
+        const float own = is_open(tree, s, body_of_unit) ? c->moves[s] - LEAST : -1;
+        c->chosen[s] = own > 0 && own >= inside;
+        c->worth[s] = dmi_fmaxf(own, inside);
+    }
+}
+
+static uint32_t count_cells(const dmi_merge_tree* tree, uint32_t set) {
+    uint32_t cells = 0;
+    for (uint32_t i = 0; i < tree->size[set]; i++)
+        cells += dmi_cell_count(tree->grid, tree->members[tree->first[set] + i]);
+    return cells;
+}
+
+/* Lists the chosen sets from the top. One that is more than half of what is left is the body itself. */
+static void list_staying(const choice* c, dmi_asset_bodies* bodies, uint32_t* body_of_unit) {
+    const dmi_merge_tree* tree = c->tree;
+    uint32_t left = 0;
+    for (uint32_t u = 0; u < tree->grid->node_count; u++)
+        if (body_of_unit[u] == DMI_ASSET_BODY) left += dmi_cell_count(tree->grid, u);
+    for (uint32_t s = tree->set_count; s-- > 0;) {
+        const uint32_t cells = count_cells(tree, s);
+        if (!c->chosen[s] || !is_open(tree, s, body_of_unit) || cells > left / 2) continue;
+        for (uint32_t i = 0; i < tree->size[s]; i++) body_of_unit[tree->members[tree->first[s] + i]] = bodies->count;
+        bodies->bodies[bodies->count++] = (dmi_asset_body){.carrier = DMI_ASSET_BODY, .moves = c->moves[s]};
+        left -= cells;
+    }
+}
+
+/* Adds the best sets of units that are of no body to the bodies, behind those that move. moves: probability of each set
+ * of the tree. body_of_unit: DMI_ASSET_BODY: of no body yet. */
+static dm_result list_staying_bodies(dmi_arena* arena, const dmi_merge_tree* tree, const float* moves,
+                                     dmi_asset_bodies* bodies, uint32_t* inout_body_of_unit) {
+    choice c = {.tree = tree, .moves = moves};
+    c.worth = dmi_arena_push(arena, (tree->set_count + 1) * sizeof *c.worth);
+    c.chosen = dmi_arena_push(arena, tree->set_count + 1);
+    if (c.worth == NULL || c.chosen == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    compare_staying(&c, inout_body_of_unit);
+    list_staying(&c, bodies, inout_body_of_unit);
     return DM_OK;
 }
 
@@ -256,9 +231,9 @@ static dm_result find_bodies(const dmi_asset_query* q, const dmi_asset_units* u,
     if (result == DM_OK) result = dmi_node_cells_make(q->arena, q->mesh, u->of_part, u->count, &filling, &cells);
     if (result == DM_OK) result = dmi_merge_tree_make(q->arena, &cells, &labels, q->models, &merging, &tree);
     if (result == DM_OK) result = choose_bodies(q, u, &tree, out, body_of_unit, &moves);
-    if (result == DM_OK) result = attach_loose_units(q->arena, &cells, out->count, body_of_unit);
+    if (result == DM_OK) result = dmi_asset_attach_loose_units(q->arena, &cells, out->count, body_of_unit);
     if (result == DM_OK) result = dmi_asset_find_carriers(q, u, &cells, body_of_unit, out);
-    if (result == DM_OK) result = dmi_list_staying_bodies(q->arena, &tree, moves, out, body_of_unit);
+    if (result == DM_OK) result = list_staying_bodies(q->arena, &tree, moves, out, body_of_unit);
     return result == DM_OK ? spread_to_nodes(q, u, body_of_unit, out) : result;
 }
 

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "assets/asset_mesh.h"
-#include "assets/clip_joint.h"
 #include "math/linear3.h"
 #include "mesh/pivot_rule.h"
 

@@ -1,7 +1,7 @@
 /* Joints of key poses. Rest is the identity, and on the joint as well: a turn about a line through o along a, by angles
  * v, with a pitch h, is x -> R(v) (x - o) + o + h v a. Its translations t = (I - R) o + h v a give h by t.a, and o by
  * least squares in closed form, because the sum of (I - R)^T (I - R) across the axis is that of 2 (1 - cos v). */
-#include "assets/clip_joint.h"
+#include "assets/body_hints.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Measures what a set of nodes hangs on, covers and hides. */
-#include "assets/set_openings.h"
+#include "assets/set_features.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* The joint of a node's clips: type, line, limits and duration of keys that a joint has made, and what is none. */
-#include "assets/clip_joint.h"
+#include "assets/body_hints.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "assets/clip_joint.h"
+#include "assets/body_hints.h"
 #include "test_gltf_nodes.h"
 
 #define QUARTER 0.70710678f
