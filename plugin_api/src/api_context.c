@@ -141,7 +141,7 @@ dm_result DM_CALL dm_context_get_memory(const dm_context* context, dm_memory_inf
                                  .peak_bytes = env->peak_bytes,
                                  .allocations = env->allocations,
                                  .pick_bytes = env->pick_bytes,
-                                 .kept_bytes = dmi_kept_list_bytes(&env->kept)};
+                                 .kept_bytes = dmi_kept_bytes(&env->kept)};
     dmi_write_out(out_info, &info, sizeof info);
     return DM_OK;
 }

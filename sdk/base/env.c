@@ -13,6 +13,92 @@
 
 #define MESSAGE_SIZE 512 /* bytes of a log message, longer ones are cut; by hand */
 
+/* ---- the list of kept blocks: the one given last first ---- */
+
+#define MOST_BLOCKS 256          /* that are kept: taking one looks at all of them; by hand */
+#define SLACK(size) ((size) / 4) /* bytes that a kept block may have more than is asked for; by hand */
+
+static void lock(dmi_kept* kept) {
+    while (atomic_flag_test_and_set_explicit(&kept->lock, memory_order_acquire)) {
+    }
+}
+
+static void unlock(dmi_kept* kept) {
+    atomic_flag_clear_explicit(&kept->lock, memory_order_release);
+}
+
+static dmi_kept_block* unlink_block(dmi_kept* kept, dmi_kept_block** at) {
+    dmi_kept_block* block = *at;
+    *at = block->next;
+    kept->bytes -= block->size;
+    kept->count--;
+    return block;
+}
+
+/* Takes the smallest block that has `size` bytes and few more; NULL when there is none. */
+static dmi_kept_block* take_block(dmi_kept* kept, size_t size) {
+    dmi_kept_block** best = NULL;
+    lock(kept);
+    for (dmi_kept_block** at = &kept->blocks; *at != NULL; at = &(*at)->next) {
+        const size_t has = (*at)->size;
+        if (has >= size && has - size <= SLACK(size) && (best == NULL || has < (*best)->size)) best = at;
+    }
+    dmi_kept_block* block = best != NULL ? unlink_block(kept, best) : NULL;
+    unlock(kept);
+    return block;
+}
+
+/* Takes the blocks that were given first until what is left is within the bounds; returns them. */
+static dmi_kept_block* take_surplus(dmi_kept* kept) {
+    dmi_kept_block** at = &kept->blocks;
+    size_t bytes = 0, count = 0;
+    while (*at != NULL && count < MOST_BLOCKS && (*at)->size <= kept->most - bytes) {
+        bytes += (*at)->size;
+        count++;
+        at = &(*at)->next;
+    }
+    dmi_kept_block* surplus = *at;
+    *at = NULL;
+    kept->bytes = bytes;
+    kept->count = count;
+    return surplus;
+}
+
+/* Adds memory of `size` bytes. Returns the blocks that no longer fit into the list, those given first; NULL: none. */
+static dmi_kept_block* give_block(dmi_kept* kept, void* memory, size_t size) {
+    dmi_kept_block* block = memory;
+    block->size = size;
+    lock(kept);
+    block->next = kept->blocks;
+    kept->blocks = block;
+    kept->bytes += size;
+    kept->count++;
+    const bool full = kept->bytes > kept->most || kept->count > MOST_BLOCKS;
+    dmi_kept_block* surplus = full ? take_surplus(kept) : NULL;
+    unlock(kept);
+    return surplus;
+}
+
+/* Takes all blocks; out_bytes gets how many bytes these have. */
+static dmi_kept_block* take_all_blocks(dmi_kept* kept, size_t* out_bytes) {
+    lock(kept);
+    dmi_kept_block* all = kept->blocks;
+    *out_bytes = kept->bytes;
+    kept->blocks = NULL;
+    kept->bytes = kept->count = 0;
+    unlock(kept);
+    return all;
+}
+
+size_t dmi_kept_bytes(dmi_kept* kept) {
+    lock(kept);
+    const size_t bytes = kept->bytes;
+    unlock(kept);
+    return bytes;
+}
+
+/* ---- allocator, log and jobs ---- */
+
 static void* default_allocate(void* user, size_t size, size_t alignment) {
     (void)user;
     if (alignment < sizeof(void*)) alignment = sizeof(void*);
@@ -83,7 +169,8 @@ void dmi_free(dmi_env* env, void* memory, size_t size) {
     env->allocator.release(env->allocator.user, memory, size);
 }
 
-void dmi_free_blocks(dmi_env* env, dmi_kept_block* list) {
+/* Gives a list of kept blocks to the host. */
+static void free_blocks(dmi_env* env, dmi_kept_block* list) {
     while (list != NULL) {
         dmi_kept_block* block = list;
         list = block->next;
@@ -93,7 +180,7 @@ void dmi_free_blocks(dmi_env* env, dmi_kept_block* list) {
 
 uint64_t dmi_env_trim(dmi_env* env) {
     size_t bytes;
-    dmi_free_blocks(env, dmi_kept_list_empty(&env->kept, &bytes));
+    free_blocks(env, take_all_blocks(&env->kept, &bytes));
     return bytes;
 }
 
@@ -187,7 +274,7 @@ dm_result dmi_parallel_for(dmi_env* env, uint32_t count, dm_task task, void* dat
 #define LEAST_KEPT 4096 /* bytes of a block worth keeping: a page */
 
 void* dmi_kept_take(dmi_env* env, size_t size, size_t* out_size) {
-    dmi_kept_block* block = env->kept.most > 0 ? dmi_kept_list_take(&env->kept, size) : NULL;
+    dmi_kept_block* block = env->kept.most > 0 ? take_block(&env->kept, size) : NULL;
     *out_size = block != NULL ? block->size : size;
     return block != NULL ? block : dmi_alloc(env, size, DMI_ALIGNMENT);
 }
@@ -197,7 +284,7 @@ void dmi_kept_give(dmi_env* env, void* memory, size_t size) {
     if (size < LEAST_KEPT || size > env->kept.most)
         dmi_free(env, memory, size);
     else
-        dmi_free_blocks(env, dmi_kept_list_give(&env->kept, memory, size));
+        free_blocks(env, give_block(&env->kept, memory, size));
 }
 
 void* dmi_scratch_alloc(dmi_env* env, size_t size) {

@@ -4,12 +4,25 @@
 #define DMI_BASE_ENV_H
 
 #include <stdatomic.h>
+#include <stddef.h>
 
 #include "base/compiler.h"
-#include "base/kept_list.h"
 #include "dragmesh/dragmesh.h"
 
 #define DMI_ALIGNMENT 64 /* bytes, of scratch memory and large arrays: a cache line, and a vector of AVX-512 */
+
+/* A list of memory blocks. Each lends its own first bytes to the list. */
+typedef struct dmi_kept_block {
+    struct dmi_kept_block* next;
+    size_t size; /* bytes of the block, these included */
+} dmi_kept_block;
+
+typedef struct dmi_kept {
+    atomic_flag lock; /* a spin lock, held while the list is walked; no [frame] function takes it */
+    dmi_kept_block* blocks;
+    size_t bytes, count; /* bytes and blocks of the list */
+    size_t most;         /* bytes; 0: nothing is kept */
+} dmi_kept;
 
 typedef struct dmi_env {
     dm_allocator allocator;
@@ -30,8 +43,6 @@ void* dmi_alloc(dmi_env* env, size_t size, size_t alignment);
 void* dmi_alloc_zeroed(dmi_env* env, size_t size, size_t alignment);
 /* size as given to dmi_alloc; NULL does nothing. */
 void dmi_free(dmi_env* env, void* memory, size_t size);
-/* Gives a list of kept blocks to the host. */
-void dmi_free_blocks(dmi_env* env, dmi_kept_block* list);
 /* Gives all kept memory to the host; returns how many bytes. Any thread. */
 uint64_t dmi_env_trim(dmi_env* env);
 
@@ -49,6 +60,8 @@ dm_result dmi_parallel_for(dmi_env* env, uint32_t count, dm_task task, void* dat
 void* dmi_kept_take(dmi_env* env, size_t size, size_t* out_size);
 /* Keeps the memory within env->kept.most bytes, and gives what is left over to the host. Any thread. */
 void dmi_kept_give(dmi_env* env, void* memory, size_t size);
+/* Returns how many bytes the blocks of the list have. Any thread. */
+size_t dmi_kept_bytes(dmi_kept* kept);
 
 /* Scratch of one call, of a size that need not be told again. NULL does nothing. */
 void* dmi_scratch_alloc(dmi_env* env, size_t size);

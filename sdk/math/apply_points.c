@@ -1,7 +1,7 @@
 /* Applies a pose to many points as a 3x4 matrix, by one kernel for each instruction set.
  *
  * Every kernel reads all it needs of a block before it writes, so that src may be dst. */
-#include "math/apply_points.h"
+#include "math/dual_quat.h"
 
 #include <stdbool.h>
 #include <string.h>

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "base/cpu.h"
 #include "dragmesh/dragmesh.h"
 
 /* A rigid motion as a screw: turn by `angle` about the line (axis, point) and advance by `distance` along it. */
@@ -33,5 +34,8 @@ dm_pose dmi_pose_sclerp(const dm_pose* a, const dm_pose* b, float t);
 /* DQApply on packed or strided float32 points; strides in bytes. */
 void dmi_pose_apply_points(const dm_pose* pose, const float* src, size_t src_stride, float* dst, size_t dst_stride,
                            size_t count);
+/* Does the same by the kernels of `isa`, which the machine must have: for tests and benchmarks. */
+void dmi_pose_apply_points_isa(dmi_isa isa, const dm_pose* pose, const float* src, size_t src_stride, float* dst,
+                               size_t dst_stride, size_t count);
 
 #endif

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/env.h"
-#include "base/ids.h"
+#include "base/sort.h"
 #include "mesh/mesh_data.h"
 
 /* Entries of the set of ids, which is at most half full with DM_MAX_PARTS ids. */

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/ids.h"
+#include "base/sort.h"
 
 /* ---- the backend of a context ---- */
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "kinematics/kpp/kpp_net.h"
-#include "math/apply_points.h"
+#include "math/dual_quat.h"
 #include "motion/dq_vae.h"
 #include "nn/kernels.h"
 #include "support.h"

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "math/apply_points.h"
+#include "math/dual_quat.h"
 
 enum { CASES = 2000 };
 

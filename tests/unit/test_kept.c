@@ -32,9 +32,9 @@ static void an_arena_takes_what_the_one_before_had(void** state) {
         dmi_arena_release(&arena);
         assert_int_equal(t.memory.calls, 5);
     }
-    assert_int_equal(dmi_kept_list_bytes(&t.env.kept), t.memory.live_bytes);
+    assert_int_equal(dmi_kept_bytes(&t.env.kept), t.memory.live_bytes);
     assert_int_equal(dmi_env_trim(&t.env), t.env.peak_bytes);
-    assert_int_equal(dmi_kept_list_bytes(&t.env.kept), 0);
+    assert_int_equal(dmi_kept_bytes(&t.env.kept), 0);
     close_keeping(&t);
 }
 
@@ -57,12 +57,12 @@ static void the_bound_holds_and_the_oldest_go(void** state) {
     for (size_t i = 0; i < 5; i++) assert_non_null(block[i] = dmi_alloc(&t.env, (100 + i) * KB, DMI_ALIGNMENT));
     for (size_t i = 0; i < 5; i++) {
         dmi_kept_give(&t.env, block[i], (100 + i) * KB);
-        assert_true(dmi_kept_list_bytes(&t.env.kept) <= 300 * KB);
+        assert_true(dmi_kept_bytes(&t.env.kept) <= 300 * KB);
     }
-    assert_int_equal(dmi_kept_list_bytes(&t.env.kept), (103 + 104) * KB);
+    assert_int_equal(dmi_kept_bytes(&t.env.kept), (103 + 104) * KB);
     void* large = dmi_alloc(&t.env, 301 * KB, DMI_ALIGNMENT);
     dmi_kept_give(&t.env, large, 301 * KB);
-    assert_int_equal(dmi_kept_list_bytes(&t.env.kept), (103 + 104) * KB);
+    assert_int_equal(dmi_kept_bytes(&t.env.kept), (103 + 104) * KB);
     close_keeping(&t);
 }
 
@@ -76,10 +76,10 @@ static void a_block_fits_or_is_left(void** state) {
     assert_int_equal(size, 50 * KB);
     void* larger = dmi_kept_take(&t.env, 101 * KB, &size);
     assert_int_equal(size, 101 * KB);
-    assert_int_equal(dmi_kept_list_bytes(&t.env.kept), 100 * KB);
+    assert_int_equal(dmi_kept_bytes(&t.env.kept), 100 * KB);
     void* little_smaller = dmi_kept_take(&t.env, 90 * KB, &size);
     assert_int_equal(size, 100 * KB);
-    assert_int_equal(dmi_kept_list_bytes(&t.env.kept), 0);
+    assert_int_equal(dmi_kept_bytes(&t.env.kept), 0);
     dmi_kept_give(&t.env, much_smaller, 50 * KB);
     dmi_kept_give(&t.env, larger, 101 * KB);
     dmi_kept_give(&t.env, little_smaller, 100 * KB);

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/ids.h"
+#include "base/sort.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
 #include "pick/backend.h"
