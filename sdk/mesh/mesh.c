@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/env.h"
-#include "mesh/mesh_parts.h"
 #include "mesh/mesh_read.h"
 
 #define ALIGNMENT 64

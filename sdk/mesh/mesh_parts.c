@@ -1,6 +1,6 @@
 /* Makes parts of the part ids of vertices or faces: those of the host's list, or every id that occurs. Looks parts up
  * by id and by what carries them. */
-#include "mesh/mesh_parts.h"
+#include "mesh/mesh_read.h"
 
 #include <string.h>
 

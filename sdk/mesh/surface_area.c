@@ -1,5 +1,5 @@
 /* Clips faces to a box and sums their areas. */
-#include "mesh/surface_area.h"
+#include "mesh/surface_samples.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,5 @@
-/* Uniform samples of a surface that depend on where the surface is, and not on how triangles cut it.
+/* Uniform samples of a surface that depend on where the surface is, and not on how triangles cut it, and the area of a
+ * surface inside a box (surface_area.c).
  *
  * A jittered lattice of lines along each coordinate axis meets the surface; a hit stays with the probability that makes
  * the density the same for all directions of the surface. The order of faces and corners does not count, nor which
@@ -6,7 +7,11 @@
 #ifndef DMI_MESH_SURFACE_SAMPLES_H
 #define DMI_MESH_SURFACE_SAMPLES_H
 
-#include "mesh/surface_area.h"
+#include "mesh/mesh.h"
+
+typedef struct dmi_bounds {
+    float low[3], high[3];
+} dmi_bounds;
 
 typedef struct dmi_surface {
     const dmi_mesh* mesh;
@@ -19,5 +24,8 @@ typedef struct dmi_surface {
  * as evenly as all. */
 dm_result dmi_surface_sample(dmi_env* env, const dmi_surface* surface, uint64_t seed, uint32_t count,
                              float (*out_xyz)[3], float (*out_normal)[3]);
+
+/* Returns the area inside the box of the faces of the wanted parts. wanted: part -> 1. */
+double dmi_area_inside(const dmi_mesh* mesh, const uint8_t* wanted, const dmi_bounds* box);
 
 #endif

@@ -4,7 +4,7 @@
 #define DMI_MOTION_DQ_VAE_H
 
 #include "base/cpu.h"
-#include "mesh/part_points.h"
+#include "mesh/cloud.h"
 
 /* Sizes of the `game` network, docs/networks.md. */
 #define DMI_VAE_POINTS DMI_PART_POINTS

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 #include "kinematics/inference/joint_inference.h"
-#include "mesh/part_points.h"
+#include "mesh/cloud.h"
 #include "pick/pick.h"
 
 typedef struct dmi_object_part {
