@@ -1,7 +1,19 @@
-/* Selects kernels by instruction set. */
-#include "nn/kernels.h"
-
+/* Selects kernels by instruction set. Here are those of vectors of four lanes: for machines without a wider set, where
+ * compilers split them, and for NEON, which has a matrix product of its own. */
 #include <stdbool.h>
+
+#define LANES 4
+#define TARGET
+#include "nn/layer_kernels.h"
+
+const dmi_kernels dmi_kernels_scalar = {
+    dmi_gemm_scalar, layer_norm, softmax, gate, modulate, max_rows, mean_rows,
+};
+#if defined(__aarch64__)
+const dmi_kernels dmi_kernels_neon = {
+    dmi_gemm_neon, layer_norm, softmax, gate, modulate, max_rows, mean_rows,
+};
+#endif
 
 const dmi_kernels* dmi_kernels_for(dmi_isa isa) {
 #if defined(__x86_64__)

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#include "nn/perceptron.h"
+#include "nn/layers.h"
 
 #define DMI_PART_FINDER_ARCHITECTURE "dragmesh-part-finder" /* name in the weights file */
 

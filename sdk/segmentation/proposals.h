@@ -3,7 +3,7 @@
 #ifndef DMI_SEGMENTATION_PROPOSALS_H
 #define DMI_SEGMENTATION_PROPOSALS_H
 
-#include "nn/perceptron.h"
+#include "nn/layers.h"
 #include "segmentation/piece_level.h"
 
 #define DMI_MAX_PROPOSALS 64     /* set by hand */

@@ -2,11 +2,10 @@
 #ifndef DM_TEST_PERCEPTRON_H
 #define DM_TEST_PERCEPTRON_H
 
-#include "test_env.h"
-
 #include <stdlib.h>
 
-#include "nn/perceptron.h"
+#include "nn/layers.h"
+#include "test_env.h"
 
 /* Where the layers live. */
 typedef struct test_layers {

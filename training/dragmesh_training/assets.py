@@ -22,7 +22,7 @@ from .files import save_arrays
 from .lab import Options, category_weights, chosen_kinds, kinds, open_lab
 
 ARCHITECTURE = "dragmesh-asset-parts"
-PAIR_TREES, SET_TREES, CONTEXT_TREES, LEAVES = 300, 800, 300, 32  # as in sdk/assets/asset_models.c and sdk/nn/tree_ensemble.h
+PAIR_TREES, SET_TREES, CONTEXT_TREES, LEAVES = 300, 800, 300, 32  # as in sdk/assets/asset_models.c and asset_models.h
 TREES = {"pairs": PAIR_TREES, "sets": SET_TREES, "context": CONTEXT_TREES, "context_again": CONTEXT_TREES}
 ROUNDS = ("context", "context_again")  # ensembles of DMI_CONTEXT_ROUNDS
 PAIR_RATE, SET_RATE = 0.06, 0.03  # shrinkage of each tree's leaves, on kinds held out

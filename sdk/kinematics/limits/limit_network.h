@@ -7,7 +7,7 @@
 
 #include "dragmesh/dragmesh.h"
 #include "kinematics/features/feature_table.h"
-#include "nn/perceptron.h"
+#include "nn/layers.h"
 
 #define DMI_LIMIT_FEATURES 37                                     /* features of a sweep, see limits.h */
 #define DMI_LIMIT_INPUTS (DMI_LIMIT_FEATURES + DMI_FEATURE_COUNT) /* the joint's candidate features come after them */

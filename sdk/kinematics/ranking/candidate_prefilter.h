@@ -5,7 +5,7 @@
 
 #include "kinematics/features/cheap_features.h"
 #include "kinematics/features/kpp_ensemble.h"
-#include "nn/perceptron.h"
+#include "nn/layers.h"
 
 /* Number of candidates kept. Measured: the right joint is among so many for 99 in 100 parts of which it is a candidate
  * at all. */

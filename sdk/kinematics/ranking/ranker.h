@@ -4,7 +4,7 @@
 #define DMI_RANKING_RANKER_H
 
 #include "kinematics/ranking/boosted_trees.h"
-#include "nn/perceptron.h"
+#include "nn/layers.h"
 
 /* The score is the mean of two: that of the network and that of the trees. The softmax over a part's candidates is a
  * probability. */
