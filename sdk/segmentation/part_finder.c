@@ -11,7 +11,7 @@
 #include "math/linear3.h"
 #include "segmentation/part_networks.h"
 #include "segmentation/proposals.h"
-#include "segmentation/remaining_components.h"
+#include "segmentation/region_contacts.h"
 
 /* ---- nearest face ---- */
 

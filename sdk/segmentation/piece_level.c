@@ -1,5 +1,5 @@
 /* Divides a mesh into sheets, and a sheet into its smooth regions. */
-#include "segmentation/piece_level.h"
+#include "segmentation/pieces.h"
 
 #include <math.h>
 #include <stdlib.h>

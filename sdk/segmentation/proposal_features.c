@@ -10,7 +10,6 @@
 #include "math/linear3.h"
 #include "segmentation/proposals.h"
 #include "segmentation/region_contacts.h"
-#include "segmentation/remaining_components.h"
 
 #define MIN_AREA 1e-12f       /* object sizes squared: avoids a division by zero */
 #define MIN_AREA_SHARE 1e-9f  /* share of the mesh's area, added to areas that are divided by; by hand */

@@ -8,8 +8,8 @@
 #include "math/elementary.h"
 #include "segmentation/part_networks.h"
 #include "segmentation/proposal_features.h"
+#include "segmentation/region_contacts.h"
 #include "segmentation/region_growing.h"
-#include "segmentation/remaining_components.h"
 
 #define MAX_STAGES 16         /* stages that one growth proposes; by hand */
 #define CERTAIN_LOG_ODDS 3.0f /* while a neighbour is this likely to belong, the part is incomplete; by hand */

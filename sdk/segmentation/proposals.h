@@ -4,7 +4,7 @@
 #define DMI_SEGMENTATION_PROPOSALS_H
 
 #include "nn/layers.h"
-#include "segmentation/piece_level.h"
+#include "segmentation/pieces.h"
 
 #define DMI_MAX_PROPOSALS 64     /* set by hand */
 #define DMI_PROPOSAL_FEATURES 55 /* listed in proposal_features.h */

@@ -1,5 +1,6 @@
-/* Contacts between a region and the pieces outside it. They are kept while the region grows: a piece that joins changes
- * the sums of the pieces that it is in contact with, and no others. */
+/* What is around a region: its contacts with the pieces outside it, and the connected components that these make.
+ * Contacts are kept while the region grows: a piece that joins changes the sums of the pieces that it is in contact
+ * with, and no others. */
 #ifndef DMI_SEGMENTATION_REGION_CONTACTS_H
 #define DMI_SEGMENTATION_REGION_CONTACTS_H
 
@@ -40,5 +41,26 @@ dm_result dmi_region_contacts_make(dmi_arena* arena, const dmi_pieces* pieces, c
                                    dmi_region_contacts* out);
 /* Takes in that a piece has joined. inside: per piece, 1 in the region, that piece already. */
 void dmi_region_contacts_add(dmi_region_contacts* contacts, const uint8_t* inside, uint32_t piece);
+
+/* ---- connected components of the pieces that remain outside ---- */
+
+#define DMI_PIECE_CARRIED 2 /* value of `inside` for a piece that moves with the part by being attached to it alone */
+
+typedef struct dmi_remaining_components {
+    uint32_t* roots;       /* piece -> the piece that represents its component */
+    float* area;           /* area of each component, at its root; object-normalised */
+    uint8_t* touches_part; /* whether each component does, at its root */
+    uint32_t largest;      /* root of the largest component; DMI_PIECE_NONE: the part is everything */
+    float part_area;
+} dmi_remaining_components;
+
+/* Allocates room for the components from the arena. */
+dm_result dmi_remaining_components_make(dmi_arena* arena, const dmi_pieces* pieces, dmi_remaining_components* out);
+/* Computes the components of the pieces with inside[p] == 0. */
+void dmi_remaining_components_find(const dmi_pieces* pieces, const uint8_t* inside, dmi_remaining_components* out);
+/* Sets inside[p] to DMI_PIECE_CARRIED for the pieces of small components that touch the part, the largest component
+ * excepted. Returns their number. */
+uint32_t dmi_remaining_components_carry(const dmi_pieces* pieces, const dmi_remaining_components* components,
+                                        uint8_t* inside);
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef DMI_SEGMENTATION_REGION_GROWING_H
 #define DMI_SEGMENTATION_REGION_GROWING_H
 
-#include "segmentation/piece_level.h"
+#include "segmentation/pieces.h"
 #include "segmentation/region_contacts.h"
 
 /* Features of a piece that is in contact with the region, inputs of the growth network. "Share" is in 0 .. 1; lengths

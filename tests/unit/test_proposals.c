@@ -7,7 +7,6 @@
 #include "segmentation/proposal_features.h"
 #include "segmentation/region_contacts.h"
 #include "segmentation/region_growing.h"
-#include "segmentation/remaining_components.h"
 #include "test_perceptron.h"
 #include "test_shapes.h"
 
