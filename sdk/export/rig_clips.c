@@ -1,5 +1,5 @@
 /* Makes tracks for dm_gltf_export: which faces go with a body, and how it goes from rest to open and back. */
-#include "export/rig_clips.h"
+#include "export/rig_formats.h"
 
 #include <math.h>
 #include <string.h>

@@ -17,7 +17,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "export/rig_clips.h"
 #include "gltf/gltf_asset.h"
 #include "gltf/gltf_edit.h"
 #include "gltf/gltf_matrix.h"

@@ -86,7 +86,11 @@ dm_result dmi_rig_model_make(dmi_env* env, const dm_gltf_rig_desc* desc, dmi_rig
 void dmi_rig_model_close(dmi_rig_model* model);
 
 /* Takes memory of the model; NULL: there is none, which was logged. */
-void* dmi_rig_push(dmi_rig_model* model, size_t count, size_t size);
+static inline void* dmi_rig_push(dmi_rig_model* model, size_t count, size_t size) {
+    void* memory = count <= SIZE_MAX / 2 / size ? dmi_arena_push(&model->arena, count * size) : NULL;
+    if (memory == NULL) dmi_fail(model->env, DM_ERROR_OUT_OF_MEMORY, "dm_gltf_rig_make: no memory for the model");
+    return memory;
+}
 
 /* ---- steps of dmi_rig_model_make, each in its file ---- */
 
@@ -99,6 +103,8 @@ dm_result dmi_rig_make_masses(dmi_rig_model* model);
 
 /* ---- what formats ask ---- */
 
-bool dmi_rig_turns(const dmi_rig_body* body);
+static inline bool dmi_rig_turns(const dmi_rig_body* body) {
+    return body->kind == DMI_RIG_HINGE || body->kind == DMI_RIG_SCREW;
+}
 
 #endif

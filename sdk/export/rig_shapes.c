@@ -4,8 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "export/flat_mesh.h"
-#include "export/rig_text.h"
+#include "export/rig_formats.h"
 #include "math/elementary.h"
 #include "mesh/mesh_read.h"
 
@@ -82,7 +81,7 @@ static dm_result read_mesh(dmi_rig_model* model, uint32_t node, dmi_rig_mesh* ou
     if (result != DM_OK) return result;
     read_points(model, &reader, transform, out, out_place);
     out->face_count = reader.face_count;
-    dmi_lift_corner(out, lift_most * model->size);
+    dmi_rig_lift_corner(out, lift_most * model->size);
     for (uint32_t f = 0; mirrors(model, transform) && f < out->face_count; f++) {
         const uint32_t second = out->faces[f][1];
         out->faces[f][1] = out->faces[f][2];
