@@ -8,7 +8,7 @@
 #include "gltf/gltf_asset.h"
 #include "gltf/gltf_buffers.h"
 #include "gltf/gltf_document.h"
-#include "gltf/gltf_folder.h"
+#include "gltf/gltf_file.h"
 #include "gltf/gltf_geometry.h"
 #include "gltf/gltf_merge.h"
 #include "gltf/gltf_tree.h"

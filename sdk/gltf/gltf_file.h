@@ -133,4 +133,20 @@ void dmi_gltf_take_back(dm_gltf* gltf, uint64_t granted);
 /* Warns that a piece of the file is left out. When nothing else is there, the first such problem is the error. */
 void dmi_gltf_leave_out(dm_gltf* gltf, const dmi_gltf_problem* problem);
 
+/* ---- files of the disk (gltf_folder.c) ---- */
+
+/* Bytes of a file. */
+typedef struct dmi_gltf_contents {
+    void* data;
+    size_t size;
+} dmi_gltf_contents;
+
+/* Reads a whole file into new memory of the host. Returns DM_OK, NOT_FOUND with errno set, OUT_OF_MEMORY or TOO_LARGE.
+ */
+dm_result dmi_gltf_read_file(dmi_env* env, const char* path, dmi_gltf_contents* out);
+/* Returns the files of gltf->on_disk.folder. */
+dm_gltf_files dmi_gltf_folder_files(dm_gltf* gltf);
+/* Returns the last character that separates names, or NULL when there is one name alone. */
+const char* dmi_gltf_last_separator(const char* path);
+
 #endif

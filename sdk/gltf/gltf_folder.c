@@ -1,6 +1,6 @@
 /* The one place that opens files: it reads a document, and the files beside it, from its folder and from nowhere else.
  * Paths are UTF-8, wide characters on Windows, POSIX elsewhere. */
-#include "gltf/gltf_folder.h"
+#include "gltf/gltf_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
