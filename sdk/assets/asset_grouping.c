@@ -4,9 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "assets/body_carriers.h"
+#include "assets/merge_tree.h"
 #include "assets/node_cells.h"
-#include "assets/set_ratings.h"
 #include "math/elementary.h"
 
 /* Probability from which a set is answered, which is stated as one half. Bodies that are found and those that are

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "assets/set_ratings.h"
+#include "assets/merge_tree.h"
 
 #define PAIR_TREES 300
 #define SET_TREES 800

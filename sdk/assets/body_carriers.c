@@ -1,6 +1,6 @@
 /* Finds which body a loose unit goes with, by what they touch, and what carries each body: by the file's own tree, else
  * by what it touches most. */
-#include "assets/body_carriers.h"
+#include "assets/asset_grouping.h"
 
 #include <string.h>
 

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "assets/asset_facts.h"
+#include "assets/set_features.h"
 #include "assets/set_motions.h"
 #include "math/elementary.h"
 

@@ -1,8 +1,8 @@
-/* Merges the nodes of an asset, the likeliest to be one body first, into ever larger sets: candidates for bodies. */
+/* Merges the nodes of an asset, the likeliest to be one body first, into ever larger sets, which are candidates for
+ * bodies, and rates each set. */
 #ifndef DMI_ASSETS_MERGE_TREE_H
 #define DMI_ASSETS_MERGE_TREE_H
 
-#include "assets/asset_facts.h"
 #include "assets/asset_models.h"
 #include "assets/set_features.h"
 
@@ -43,5 +43,29 @@ dm_result dmi_merge_tree_make(dmi_arena* arena, const dmi_node_cells* grid, cons
                               const dmi_asset_models* models, const dmi_progress* progress, dmi_merge_tree* out);
 /* Computes the links of all sets, as dmi_set_features_make takes them. out: set_count of them. */
 dm_result dmi_merge_tree_links(dmi_arena* arena, const dmi_merge_tree* tree, dmi_set_links* out);
+
+/* ---- context (set_ratings.c): what the other sets of the asset say of a set ---- */
+
+/* Most assets have something that moves, and few have many unlike parts. */
+#define DMI_CONTEXT_FEATURES 17
+
+/* Computes the numbers of all sets. links: of the tree's sets; moves: probability of each by its own features. All
+ * memory comes from the arena. */
+dm_result dmi_set_context_make(dmi_arena* arena, const dmi_merge_tree* tree, const dmi_set_links* links,
+                               const float* moves, float (*out)[DMI_CONTEXT_FEATURES]);
+
+/* ---- ratings (set_ratings.c): how likely each set is a body that moves ---- */
+
+#define DMI_RATED_FEATURES (DMI_SET_FEATURES + DMI_CONTEXT_FEATURES)
+
+typedef struct dmi_set_ratings {
+    float (*features)[DMI_RATED_FEATURES]; /* each set's own features, then those of its context in the last round */
+    float* moves;                          /* probability of each set after the last round */
+} dmi_set_ratings;
+
+/* rounds: how many times the sets are rated in view of each other, up to DMI_CONTEXT_ROUNDS. All memory comes from the
+ * arena. */
+dm_result dmi_set_ratings_make(dmi_arena* arena, const dmi_merge_tree* tree, const dmi_asset_models* models, int rounds,
+                               const dmi_progress* progress, dmi_set_ratings* out);
 
 #endif

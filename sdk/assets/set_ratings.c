@@ -1,6 +1,6 @@
 /* Rates sets by themselves, then in rounds, in view of how the others were rated in the round before: each set's
  * probability is compared with those of the sets in it, around it, beside it and like it. */
-#include "assets/set_ratings.h"
+#include "assets/merge_tree.h"
 
 #include <math.h>
 #include <string.h>

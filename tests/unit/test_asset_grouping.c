@@ -8,9 +8,9 @@
 
 #include "assets/asset_grouping.h"
 #include "assets/asset_models.h"
+#include "assets/merge_tree.h"
 #include "assets/node_cells.h"
 #include "assets/set_features.h"
-#include "assets/set_ratings.h"
 #include "mesh/mesh.h"
 #include "test_shapes.h"
 

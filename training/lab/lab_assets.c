@@ -7,7 +7,7 @@
 
 #include "asset.h"
 #include "assets/asset_grouping.h"
-#include "assets/set_ratings.h"
+#include "assets/merge_tree.h"
 #include "base/random.h"
 #include "generator.h"
 #include "math/frames.h"
