@@ -3,7 +3,7 @@
 #define DMI_MOTION_DQ_VAE_NET_H
 
 #include "motion/dq_vae.h"
-#include "nn/transformer.h"
+#include "nn/layers.h"
 
 /* Widths of the `game` size (docs/networks.md). */
 enum {

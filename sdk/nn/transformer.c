@@ -1,6 +1,6 @@
 /* Transformer layer. Attention uses the matrix product of the linear layers, head by head, on keys and values that are
  * packed like weights. */
-#include "nn/transformer.h"
+#include "nn/layers.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "base/random.h"
-#include "nn/transformer.h"
+#include "nn/layers.h"
 #include "platform.h"
 #include "test_safetensors.h"
 

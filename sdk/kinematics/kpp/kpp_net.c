@@ -8,7 +8,7 @@
 
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "nn/transformer.h"
+#include "nn/layers.h"
 
 /* Sizes of the layers (docs/networks.md). */
 #define WIDTH 96
