@@ -1,7 +1,7 @@
 /* Reads and applies the part finder's networks. */
 #include "segmentation/part_networks.h"
 
-#include "segmentation/proposal_features.h"
+#include "segmentation/proposals.h"
 #include "segmentation/region_growing.h"
 
 #define BATCH 32 /* rows at a time: their hidden numbers are on the stack */

@@ -1,6 +1,6 @@
 /* Computes the features of proposals: of a box that is fitted by principal component analysis, of sums over the
  * contacts, of how the part grew and of what remains. */
-#include "segmentation/proposal_features.h"
+#include "segmentation/proposals.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -8,7 +8,6 @@
 
 #include "math/elementary.h"
 #include "math/linear3.h"
-#include "segmentation/proposals.h"
 #include "segmentation/region_contacts.h"
 
 #define MIN_AREA 1e-12f       /* object sizes squared: avoids a division by zero */

@@ -7,7 +7,6 @@
 
 #include "math/elementary.h"
 #include "segmentation/part_networks.h"
-#include "segmentation/proposal_features.h"
 #include "segmentation/region_contacts.h"
 #include "segmentation/region_growing.h"
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "segmentation/proposal_features.h"
+#include "segmentation/proposals.h"
 #include "segmentation/region_contacts.h"
 #include "segmentation/region_growing.h"
 #include "test_perceptron.h"

@@ -14,7 +14,7 @@
 #include "pull.h"
 #include "segmentation/part_finder.h"
 #include "segmentation/part_networks.h"
-#include "segmentation/proposal_features.h"
+#include "segmentation/proposals.h"
 #include "segmentation/region_growing.h"
 
 #define BLOCK ((size_t)1 << 20)         /* bytes */
