@@ -6,7 +6,7 @@
 
 #include "base/env.h"
 #include "base/sort.h"
-#include "mesh/mesh_data.h"
+#include "mesh/mesh.h"
 
 /* Entries of the set of ids, which is at most half full with DM_MAX_PARTS ids. */
 #define ID_SET_SIZE (2 * DM_MAX_PARTS)

@@ -3,7 +3,7 @@
 #define DMI_MESH_MESH_READ_H
 
 #include "base/env.h"
-#include "mesh/mesh_data.h"
+#include "mesh/mesh.h"
 
 /* A dm_mesh_desc with checked pointers, formats, strides and counts; only part_ids may still be NULL. */
 typedef struct dmi_mesh_reader {

@@ -3,7 +3,7 @@
 #define DMI_MESH_PACKED_MESH_H
 
 #include "base/progress.h"
-#include "mesh/mesh_data.h"
+#include "mesh/mesh.h"
 
 #define DMI_POSITION_PADDING 16     /* readable bytes from any vertex on: Embree and vector code load four floats */
 #define DMI_NARROW_VERTICES 0x10000 /* most vertices that 16 bits can name */

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "mesh/mesh_data.h"
+#include "mesh/mesh.h"
 
 /* Places of a box on which each coordinate is at the low end, in the middle or at the high end. */
 #define DMI_BOX_PLACES 27
