@@ -31,7 +31,7 @@ static bool read_tree(const float* column, const float* value, uint32_t columns,
 }
 
 /* Reads the tensors `name`.column and `name`.value of `tree_count` trees over rows of `columns` numbers (255 at most).
- * DM_ERROR_WRONG_MODEL when they are no trees. */
+ * The loader fails with DM_ERROR_WRONG_MODEL when they are no trees. */
 static void load_tree_ensemble(dmi_loader* loader, const char* name, uint32_t tree_count, uint32_t columns,
                                dmi_tree_ensemble* out) {
     const float* column = dmi_load_part(loader, name, ".column", tree_count, DMI_ENSEMBLE_NODES);

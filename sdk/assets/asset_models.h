@@ -7,23 +7,24 @@
 #include "math/elementary.h"
 #include "nn/layers.h"
 
-/* ---- gradient-boosted regression trees over rows of measured numbers; the sum of their leaves is a log odds ---- */
+/* ---- gradient-boosted regression trees over rows of measured numbers ---- */
 
 #define DMI_ENSEMBLE_NODES 63 /* nodes of a tree: at most 32 leaves */
 
 /* A split goes to the node `left` where the column is at most `value`, else to the node after it. A leaf is its own
  * left child and has an infinite value. */
 typedef struct dmi_ensemble_node {
-    float value, score; /* score: of a leaf */
+    float value, score; /* score: the score of a leaf; no split has one */
     uint8_t column, left;
 } dmi_ensemble_node;
 
+/* The scores of the leaves that a row reaches add up to log odds. */
 typedef struct dmi_tree_ensemble {
     const dmi_ensemble_node* nodes; /* tree_count x DMI_ENSEMBLE_NODES */
     uint32_t tree_count, columns;
 } dmi_tree_ensemble;
 
-/* Returns the sum of the leaves that the row falls into. */
+/* Returns the sum of the scores of the leaves that the row reaches. */
 float dmi_tree_ensemble_score(const dmi_tree_ensemble* ensemble, const float* row);
 
 /* ---- the models ---- */

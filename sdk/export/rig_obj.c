@@ -1,4 +1,5 @@
-/* Prints meshes as files beside those of the formats, written once, and gives those that lie in one plane a volume. */
+/* Prints a mesh as a Wavefront OBJ file, once for all formats that refer to it, and gives a mesh that lies in one plane
+ * a volume. */
 #include <math.h>
 
 #include "export/rig_formats.h"
