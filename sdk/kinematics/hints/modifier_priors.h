@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "kinematics/hints/label_modifiers.h"
+#include "kinematics/hints/label_words.h"
 #include "kinematics/hints/part_kind.h"
 
 /* Returns the modifiers that mean something for a part of a kind: a roller door is no roller, and a left wheel turns as
