@@ -3,7 +3,7 @@
 #ifndef DMI_INFERENCE_JOINT_INFERENCE_H
 #define DMI_INFERENCE_JOINT_INFERENCE_H
 
-#include "kinematics/hints/asset_hints.h"
+#include "kinematics/hints/hint_features.h"
 #include "kinematics/inference/hypotheses.h"
 #include "kinematics/inference/joint_models.h"
 #include "kinematics/kpp/kpp_net.h"
