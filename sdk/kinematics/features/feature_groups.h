@@ -33,7 +33,4 @@ void dmi_sweep_features(const dmi_feature_context* context, const dmi_candidate*
 void dmi_place_features(const dmi_feature_context* context, const dmi_candidate* candidate,
                         float row[DMI_FEATURE_COUNT]);
 
-/* relative_features.c: what compares a candidate with the others of the part. All other columns are filled. */
-void dmi_relative_features(const dmi_candidate* candidates, uint32_t count, float (*rows)[DMI_FEATURE_COUNT]);
-
 #endif
