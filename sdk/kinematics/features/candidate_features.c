@@ -2,9 +2,7 @@
  * come last: whether this part slides better than it turns shows only between candidates. */
 #include "kinematics/features/candidate_features.h"
 
-#include "kinematics/features/axis_hardware.h"
 #include "kinematics/features/feature_groups.h"
-#include "kinematics/features/symmetry_features.h"
 #include "math/linear3.h"
 
 #define HIGHEST_COST 1 /* costs run from about 0 to 1 */
