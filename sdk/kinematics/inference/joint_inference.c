@@ -8,7 +8,6 @@
 #include "kinematics/hints/hint_likelihood.h"
 #include "kinematics/inference/hypothesis_selection.h"
 #include "kinematics/inference/straight_pull.h"
-#include "kinematics/limits/closed_pose.h"
 #include "kinematics/limits/limits.h"
 #include "kinematics/limits/sweep.h"
 #include "kinematics/ranking/twin_leaves.h"
