@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/random.h"
+#include "kinematics/analysis/analysis_steps.h"
 #include "kinematics/candidates/candidates.h"
 #include "kinematics/features/candidate_features.h"
 #include "kinematics/features/cheap_features.h"

@@ -3,7 +3,6 @@
 
 #include "base/progress_stages.h"
 #include "kinematics/analysis/analysis_steps.h"
-#include "kinematics/analysis/extreme_points.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/place_hash.h"
