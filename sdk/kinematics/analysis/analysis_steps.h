@@ -6,10 +6,6 @@
 #include "kinematics/analysis/part_analysis.h"
 #include "math/linear3.h"
 
-/* near_samples.c: samples the body in the box low .. high. moving: 1 for the parts that move. */
-dm_result dmi_analysis_find_near(dmi_arena* arena, const uint8_t* moving, const dmi_cloud* cloud, const float low[3],
-                                 const float high[3], dmi_part_analysis* analysis);
-
 /* contacts.c: gaps, contact regions, and the slippage of the part and of the regions. */
 dm_result dmi_analysis_find_contacts(dmi_arena* arena, dmi_part_analysis* analysis);
 dm_result dmi_analysis_find_slippage(dmi_arena* arena, dmi_part_analysis* analysis);
