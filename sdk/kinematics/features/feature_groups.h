@@ -12,7 +12,8 @@ typedef struct dmi_feature_context {
     const dmi_part_analysis* analysis;
     const dmi_drag_hint* hint; /* NULL: none */
     dmi_cheap_features cheap;
-    int32_t free[DMI_SWEPT_POINTS]; /* 1: the point does not touch the body at rest */
+    float swept[DMI_SWEPT_POINTS][3]; /* the points of the sweep: first those that do not touch the body at rest … */
+    uint32_t free_count;              /* … which are so many */
 } dmi_feature_context;
 
 static inline bool dmi_candidate_slides(const dmi_candidate* candidate) {
@@ -23,7 +24,7 @@ static inline bool dmi_candidate_slides(const dmi_candidate* candidate) {
 void dmi_slip_features(const dmi_feature_context* context, const dmi_candidate* candidate,
                        float row[DMI_FEATURE_COUNT]);
 
-/* sweep_features.c: fills context->free, and the group SWEEP. */
+/* sweep_features.c: fills context->swept and free_count, and the group SWEEP. */
 void dmi_sweep_features_begin(dmi_feature_context* context);
 void dmi_sweep_features(const dmi_feature_context* context, const dmi_candidate* candidate,
                         float row[DMI_FEATURE_COUNT]);
