@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/random.h"
+#include "kinematics/analysis/analysis_steps.h"
 #include "kinematics/analysis/batched_transform.h"
 #include "kinematics/candidates/candidates.h"
 #include "kinematics/features/candidate_features.h"

@@ -1,7 +1,6 @@
 /* Builds the grid of samples and answers distance queries. */
 #include "kinematics/analysis/distance_grid.h"
 
-#include "kinematics/analysis/distance_transform.h"
 #include "math/linear3.h"
 
 #define MIN_SIDE 1e-6f       /* object sizes, of the grid's longest side: avoids cells without size */

@@ -72,4 +72,12 @@ void dmi_distance_grid_distances(const dmi_distance_grid* grid, const float (*po
  * grid holds no sample. */
 uint32_t dmi_distance_grid_nearest(const dmi_distance_grid* grid, const float point[3], float* out_distance);
 
+/* ---- distance_transform.c: a step of making the grid ---- */
+
+#define DMI_TRANSFORM_LANES 16 /* lines at a time; square, in_row and in_slab have so many elements to spare */
+
+/* Computes in_row, in_slab and square from the grid's size, cell and start: the exact Euclidean distance transform of
+ * the occupied cells. */
+void dmi_distance_transform(dmi_distance_grid* grid);
+
 #endif

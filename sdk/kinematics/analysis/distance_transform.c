@@ -1,6 +1,6 @@
 /* Transforms one axis after the other: rows first, then the lower envelope of parabolas along y and z (Saito and
  * Toriwaki 1994), found by halving: many lines at a time. */
-#include "kinematics/analysis/distance_transform.h"
+#include "kinematics/analysis/distance_grid.h"
 
 #include <stdbool.h>
 
