@@ -216,13 +216,13 @@ export const AssetFlag: {
 
 /** What was ignored, as bits of dm_asset_info.warnings. */
 export const AssetWarning: {
-    /** a clip moves a node as no joint does, or is not rigid */
+    /** a clip is not rigid, or no joint moves a node as it does */
     readonly CLIP_LEFT_OUT: 1;
 };
 
 /** Whether a part moves. */
 export const AssetState: {
-    /** It may move, but probably does not: `moves` is below dm_asset_desc.min_moves. A body that almost certainly stays is no part. */
+    /** It may move, but probably does not: `moves` is below dm_asset_desc.min_moves. A body that almost certainly stays is not listed as a part. */
     readonly STAYS: 0;
     /** it moves by its joint */
     readonly MOVES: 1;
@@ -296,11 +296,11 @@ export const InputFlag: {
 };
 
 export const DragPhase: {
-    /** it follows the pointer */
+    /** the part follows the pointer */
     readonly HELD: 0;
-    /** it moves by itself after dm_drag_release */
+    /** the part moves by itself after dm_drag_release */
     readonly RELEASED: 1;
-    /** it has come to where it goes */
+    /** the part has come to where it goes */
     readonly AT_REST: 2;
 };
 
@@ -336,7 +336,7 @@ export const DragEvent: {
     readonly LET_GO: 8192;
 };
 
-/** How a part with dm_drag_rules stands after an update, or at its beginning, as bits of dm_drag_state.status. */
+/** What holds a part with dm_drag_rules, and whether it counts as open, after an update or when its drag begins, as bits of dm_drag_state.status. */
 export const DragStatus: {
     /** the latch holds it */
     readonly LATCHED: 1;

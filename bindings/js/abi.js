@@ -1,6 +1,6 @@
 // Written by bindings/js/describe.mjs from bindings/dragmesh_api.json: not to be edited.
 
-// Hash of the description: 1af77dcdb00098eb
+// Hash of the description: b13a076611240442
 
 export const VERSION = '0.3.0-dev';
 export const VERSION_NUMBER = 12287;

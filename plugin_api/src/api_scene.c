@@ -7,7 +7,7 @@
 #include "api_handles.h"
 #include "base/fp_environment.h"
 #include "math/dual_quat.h"
-#include "pick/camera.h"
+#include "pick/pick.h"
 
 dm_result DM_CALL dm_camera_ray(const dm_context* context, const dm_camera* camera, float x, float y, dm_ray* out_ray) {
     DMI_OWN_FP;

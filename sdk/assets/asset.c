@@ -8,7 +8,6 @@
 #include "assets/body_hints.h"
 #include "assets/free_bodies.h"
 #include "assets/node_labels.h"
-#include "kinematics/object/part_selection.h"
 
 #define BLOCK ((size_t)1 << 16) /* bytes, of the arena; by hand */
 

@@ -7,6 +7,7 @@
 
 #include "assets/asset_mesh.h"
 #include "assets/clip_joint.h"
+#include "base/label_path.h"
 #include "math/linear3.h"
 #include "mesh/pivot_rule.h"
 
@@ -99,27 +100,16 @@ static uint32_t find_pivot_node(const dmi_asset_query* query, const body_nodes* 
 
 /* ---- labels ---- */
 
-/* Puts `name` and a '/' before what stands in the last `used` bytes of `out`. Returns the bytes used then: as before
- * where the name does not fit. */
-static size_t put_before(char* out, size_t size, size_t used, const char* name) {
-    const size_t length = strlen(name), more = length + (used > 1);
-    if (length == 0 || more > size - used) return used;
-    char* at = out + size - used - more;
-    memcpy(at, name, length); /* NOLINT(bugprone-not-null-terminated-result): what stands behind it ends the text */
-    if (used > 1) at[length] = '/';
-    return used + more;
-}
-
 /* Writes the names of the nodes above a node, of its mesh and its own. The innermost ones stay where not all fit.
  * Returns the bytes with the zero. */
 static size_t write_path(const dmi_asset_query* query, uint32_t index, char out[DM_MAX_LABEL + 1]) {
     const size_t size = DM_MAX_LABEL + 1;
     const dmi_asset_node* node = &query->nodes[index];
     out[size - 1] = 0;
-    size_t used = put_before(out, size, 1, node->name);
-    used = put_before(out, size, used, node->mesh_name);
+    size_t used = dmi_put_name_before(out, size, 1, node->name);
+    used = dmi_put_name_before(out, size, used, node->mesh_name);
     for (uint32_t above = node->parent; above != DMI_ASSET_BODY; above = query->nodes[above].parent)
-        used = put_before(out, size, used, query->nodes[above].name);
+        used = dmi_put_name_before(out, size, used, query->nodes[above].name);
     memmove(out, out + size - used, used);
     return used;
 }

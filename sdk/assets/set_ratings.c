@@ -1,5 +1,5 @@
-/* Rates sets by themselves, then in rounds, in view of how the others were rated in the round before: each set's
- * probability is compared with those of the sets in it, around it, beside it and like it. */
+/* Rates sets of nodes: first each by itself, then in rounds in view of how the other sets were rated in the round
+ * before. Each set's probability is compared with those of the sets in it, around it, beside it and like it. */
 #include "assets/set_ratings.h"
 
 #include <math.h>
@@ -9,20 +9,21 @@
 
 /* ---- context ---- */
 
-#define LIKELY 0.35f /* probabilities that are counted, and those of better sets; by hand */
+#define LIKELY 0.35f /* probability above which a set is counted as likely; by hand */
 #define SURE 0.6f
 #define WORTH 0.25f /* the same as EVEN of asset_grouping.c */
-#define TINY 1e-6f  /* no probability is divided by less */
+#define TINY 1e-6f  /* added to divisors, against a division by 0 */
 
-/* Relations in the tree, one number a set. */
+/* Relations of each set to others in the tree, one number a set. */
 typedef struct relations {
     uint32_t* parent; /* UINT32_MAX: none */
     float* inside;    /* highest probability of the sets in it */
     float* around;    /* highest probability of the sets that it is in */
     float *twin_sum, *twin_count;
     float* cells;
-    uint32_t *best_inside, *best_around;               /* sets of those probabilities; UINT32_MAX: none */
-    float *inside_cells, *inside_count, *inside_worth; /* cells, number and worth of the best choice of sets in it */
+    uint32_t *best_inside, *best_around; /* the sets that have those probabilities; UINT32_MAX: none */
+    /* Cells, number and worth of the best choice among the sets in it. */
+    float *inside_cells, *inside_count, *inside_worth;
 } relations;
 
 static float cells_of_set(const dmi_merge_tree* tree, uint32_t set) {
@@ -31,7 +32,7 @@ static float cells_of_set(const dmi_merge_tree* tree, uint32_t set) {
     return sum;
 }
 
-/* Adds to set s what is best chosen of its child: the child itself, or sets in it. */
+/* Adds to set s the better choice of its child: the child itself, or sets in the child. */
 static void add_child(relations* r, const float* moves, uint32_t s, uint32_t kid) {
     if (moves[kid] > r->inside[s]) r->inside[s] = moves[kid], r->best_inside[s] = kid;
     if (r->inside[kid] > r->inside[s]) r->inside[s] = r->inside[kid], r->best_inside[s] = r->best_inside[kid];
@@ -143,7 +144,7 @@ dm_result dmi_set_context_make(dmi_arena* arena, const dmi_merge_tree* tree, con
 
 /* ---- ratings ---- */
 
-/* Rates a set by what it is, where there are no models: every node but the largest may move. */
+/* Rates a set without models: every node except the largest may move, and no set of several nodes does. */
 static float rate_by_rule(const dmi_merge_tree* tree, uint32_t set) {
     return tree->size[set] == 1 && tree->members[tree->first[set]] != tree->facts.largest ? 0.5f : 0;
 }

@@ -1,5 +1,5 @@
-/* How far a long call is: told to the host's progress callback, which may cancel it. Used on the thread that has
- * called, and there alone. */
+/* The progress of a long call, which is reported to the host's callback. The callback may cancel the call. Progress is
+ * used only on the thread that has called the library. */
 #ifndef DMI_BASE_PROGRESS_H
 #define DMI_BASE_PROGRESS_H
 
@@ -11,24 +11,25 @@
 
 typedef struct dmi_progress {
     dmi_env* env;
-    const char* function;          /* that the host has called; for the message */
+    const char* function;          /* name of the function that the host has called, for messages */
     dm_progress_callback progress; /* NULL: nobody asks */
     void* user;
-    float from, to; /* what part of the call is watched, 0 to 1 */
-    float* told;    /* the last report, below which none falls; NULL: who calls sees to it */
+    float from, to; /* the stage of the call that is watched, 0 to 1 */
+    float* told;    /* the last report: no later one is lower; NULL: the caller sees to that */
 } dmi_progress;
 
-/* Watches a whole call for the callback of the context. told: the caller's, as long as the call lasts. */
+/* Makes the progress of a whole call, for the callback of the context. told: a number of the caller's, which lives as
+ * long as the call. */
 dmi_progress dmi_progress_of(dmi_env* env, const char* function, float* told);
 
-/* The same for a piece of what is watched, by shares of it. `progress` may be NULL. */
+/* Makes the progress of a stage of what is watched, between two shares of it. `progress` may be NULL. */
 dmi_progress dmi_progress_piece(const dmi_progress* progress, float from, float to);
 
 /* Reports that a share, 0 to 1, of what is watched is done. Returns DM_ERROR_CANCELLED, with a message, when the host
- * asks to stop. NULL: DM_OK. */
+ * asks to stop. With NULL it returns DM_OK. */
 dm_result dmi_progress_tell(const dmi_progress* progress, float share);
 
-/* The same after element `i` of a loop over `count`, for one in DMI_PROGRESS_STEP of them. */
+/* Reports that element `i` of a loop over `count` is done, for one in DMI_PROGRESS_STEP elements. */
 static inline dm_result dmi_progress_step(const dmi_progress* progress, uint32_t i, uint32_t count) {
     if (i % DMI_PROGRESS_STEP != DMI_PROGRESS_STEP - 1) return DM_OK;
     return dmi_progress_tell(progress, (float)i / (float)count);

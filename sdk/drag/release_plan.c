@@ -6,15 +6,15 @@
 #include "math/elementary.h"
 
 /* The values are set by hand, with the releases of tests/unit/test_drag_release.c; docs/feel.md. */
-/* Share of the range, or of the value without limits; a part this near is there already. */
+/* Share of dmi_released_unit; a part that is this near to its end counts as there. */
 #define ARRIVED_SHARE 1e-4f
 #define MIN_DURATION 0.18f    /* s, the shortest of any motion */
 #define FULL_RANGE_TIME 0.7f  /* s of a motion over the whole range */
-#define GLIDE_HALF_LIVES 7.0f /* half-lives after which a gliding part stands: 1/128 of the speed is left */
-#define PEAK_SPEED 1.875f     /* highest speed of minimum jerk over its mean, which it has at the middle */
-/* Highest acceleration of minimum jerk times time^2 over distance: 10 / sqrt(3), rounded up. */
+#define GLIDE_HALF_LIVES 7.0f /* half-lives after which a gliding part stops: 1/128 of the speed is left */
+#define PEAK_SPEED 1.875f     /* highest speed of a minimum-jerk motion, reached in the middle, over its mean speed */
+/* Highest acceleration of a minimum-jerk motion, times time^2 over distance: 10 / sqrt(3), rounded up. */
 #define PEAK_ACCELERATION 5.7736f
-#define MIN_FALL_TIME 1e-3f  /* s; a shorter fall is over within a frame all the same */
+#define MIN_FALL_TIME 1e-3f  /* s; any shorter fall is over within a frame too */
 #define MAX_BACKWARDS 0.105f /* maximum of s (1 - s)^3 on [0, 1], 27/256 rounded down */
 
 static bool is_limit(const dm_joint* joint, float value) {
@@ -30,8 +30,8 @@ static float shortest_duration(const dmi_released_part* part, float distance) {
     return dmi_fminf(time, DMI_LARGEST_TIME);
 }
 
-/* Returns the duration of a motion over `distance`. It grows with the share of the range, and the motion is not slower
- * than the part already goes. */
+/* Returns the duration of a motion over `distance`. The duration grows with the share of the range, and is shorter
+ * where the part already goes faster. */
 static float natural_duration(const dmi_released_part* part, float distance) {
     const float speed = fabsf(part->velocity);
     const float share = dmi_joint_has_limits(part->joint) ? dmi_fminf(fabsf(distance) / dmi_released_unit(part), 1) : 1;
@@ -40,7 +40,7 @@ static float natural_duration(const dmi_released_part* part, float distance) {
     return dmi_fmaxf(dmi_fmaxf(time, MIN_DURATION), shortest_duration(part, distance));
 }
 
-/* Glides to a stop or to a limit; with detents or snap values, moves on to the nearest one instead. */
+/* Plans a glide to a stop or to a limit; with detents or snap values, a motion to the nearest one instead. */
 static void plan_stay(const dmi_released_part* part, dmi_release* r) {
     const float end = dmi_joint_clamp(part->joint, part->value + dmi_released_glide(part));
     r->end = dmi_feel_nearest_detent(part->feel, part->joint, end);
@@ -105,7 +105,7 @@ dmi_landing dmi_release_fly(dmi_release* r, const dmi_released_part* part, float
     const dmi_flight flight = flight_of(r, part);
     dmi_landing landing = dmi_flight_advance(&flight, dt, out_value, out_velocity);
     if (flight.lower != part->joint->lower || flight.upper != part->joint->upper)
-        landing.struck = 0; /* rest is not a limit here */
+        landing.struck = 0; /* rest, where this fall ends, is no limit to strike */
     r->elapsed = dmi_fminf(r->elapsed + dt, DMI_LARGEST_TIME);
     if (landing.settled) {
         r->phase = DM_DRAG_AT_REST;

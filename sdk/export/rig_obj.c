@@ -1,4 +1,4 @@
-/* Prints meshes as files beside those of the formats, written once. */
+/* Prints a mesh as a Wavefront OBJ file, once for all formats that refer to it. */
 #include "export/flat_mesh.h"
 #include "export/rig_formats.h"
 

@@ -7,21 +7,11 @@
 #include <string.h>
 
 #include "base/fp_environment.h"
+#include "base/label_path.h"
 #include "gltf/gltf_matrix.h"
 #include "gltf/gltf_names.h"
 
 enum { COLUMN = DMI_GLTF_COLUMN, ORIGIN = DMI_GLTF_ORIGIN };
-
-/* Puts `name` and a '/' before what stands in the last `used` bytes of `out`. Returns the bytes used then, which stay
- * as they are where the name does not fit. */
-static size_t put_before(char* out, size_t size, size_t used, const char* name) {
-    const size_t length = strlen(name), more = length + (used > 1);
-    if (length == 0 || more > size - used) return used;
-    char* at = out + size - used - more;
-    memcpy(at, name, length); /* NOLINT(bugprone-not-null-terminated-result): what stands behind it ends the text */
-    if (used > 1) at[length] = '/';
-    return used + more;
-}
 
 const char* dmi_gltf_mesh_name(const dm_gltf* gltf, const dmi_gltf_tree_node* node) {
     const cJSON* mesh = dmi_gltf_item(&gltf->document, DMI_GLTF_MESHES, node->mesh);
@@ -32,12 +22,12 @@ const char* dmi_gltf_mesh_name(const dm_gltf* gltf, const dmi_gltf_tree_node* no
 /* Writes the names of the nodes that carry a node, of its mesh and its own. Where not all fit, the innermost ones of
  * the nodes above stay. */
 static void write_path(const dm_gltf* gltf, const dmi_gltf_tree_node* node, char* out, size_t size) {
-    size_t used = put_before(out, size, 1, node->name);
+    size_t used = dmi_put_name_before(out, size, 1, node->name);
     out[size - 1] = 0;
-    used = put_before(out, size, used, dmi_gltf_mesh_name(gltf, node));
+    used = dmi_put_name_before(out, size, used, dmi_gltf_mesh_name(gltf, node));
     for (int32_t index = node->named; index >= 0; index = gltf->tree[index].named) {
         const size_t before = used;
-        used = put_before(out, size, used, gltf->tree[index].name);
+        used = dmi_put_name_before(out, size, used, gltf->tree[index].name);
         if (used == before) break;
     }
     memmove(out, out + size - used, used);

@@ -1,6 +1,6 @@
-/* JSON read by cJSON, whose memory comes from malloc: its hooks belong to the whole process, so they stay as they are.
- * A text of n bytes takes at most 40 n (a value of one byte and a comma: 64 bytes and the heap's own 16), and 4 n more
- * while it is read (a member of five bytes: 16 bytes of the list of names). */
+/* Reads JSON by cJSON, whose memory comes from malloc. cJSON's hooks belong to the whole process, so they stay as they
+ * are. A text of n bytes takes at most 40 n bytes: a value of one byte and a comma become 64 bytes and 16 of the heap.
+ * It takes 4 n more while it is read: a member of five bytes has 16 bytes in the list of names. */
 #include "gltf/gltf_json.h"
 
 #include <errno.h>
@@ -10,7 +10,8 @@
 
 #include "base/utf8.h"
 
-/* Deeper JSON is hostile: cJSON reads, copies and writes by recursion. */
+/* Deepest nesting that is read. cJSON reads, copies and writes by recursion, so deeper JSON could overflow the
+ * stack. */
 #define DEEPEST_JSON 128
 
 const cJSON* dmi_json_get(const cJSON* object, const char* name) {
@@ -71,7 +72,7 @@ static size_t end_of_string(const char* text, size_t length, size_t at) {
     return at < length ? at : length;
 }
 
-/* Returns whether a string has a zero byte, as it is or as the escape. It would end there as a text in C. */
+/* Returns whether a string has a zero byte, raw or as an escape. As a text in C, the string would end there. */
 static int has_zero(const char* string, size_t length) {
     for (size_t i = 0; i < length; i++) {
         if (string[i] == 0 || (length - i >= 6 && memcmp(string + i, "\\u0000", 6) == 0)) return 1;
@@ -94,7 +95,7 @@ static int has_zero_in_uri(const char* text, size_t length) {
     return 0;
 }
 
-/* Makes names and values UTF-8. A URI stays as it is, because files may be called so. */
+/* Makes names and values valid UTF-8. A URI stays as it is, because a file may have such a name. */
 static void mend_strings(cJSON* item) {
     const int is_uri = item->string && strcmp(item->string, "uri") == 0;
     if (item->string) dmi_utf8_mend(item->string);

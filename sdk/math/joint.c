@@ -1,4 +1,4 @@
-/* Joints with one degree of freedom: value to pose, pose to nearest value. */
+/* Joints with one degree of freedom: converts a joint value to a pose, and a pose to the nearest joint value. */
 #include "math/joint.h"
 
 #include <math.h>
@@ -40,7 +40,8 @@ float dmi_joint_project(const dm_joint* joint, const dm_pose* pose, float near) 
         /* Swing-twist decomposition: the twist's quaternion is (axis sin, cos) of half the angle, up to scale and
          * sign. */
         const float s = dmi_dot3(pose->real, dmi_xyz(joint->axis).v), c = pose->real[3];
-        if (s == 0 && c == 0) return near; /* half a turn about a perpendicular axis: all twists are equally near */
+        /* The pose is half a turn about a perpendicular axis, so all twists are equally near. */
+        if (s == 0 && c == 0) return near;
         value = 2 * dmi_atan2f(s, c);
         value += DMI_TWO_PI_F * roundf((near - value) / DMI_TWO_PI_F);
     } else if (joint->type == DM_JOINT_PRISMATIC) {
@@ -55,7 +56,7 @@ void dmi_joint_reverse(dm_joint* joint) {
     const float lower = joint->lower;
     joint->axis = (dm_vec3){-joint->axis.x, -joint->axis.y, -joint->axis.z};
     joint->lower = -joint->upper, joint->upper = -lower;
-    joint->closed = 0 - joint->closed; /* 0 keeps its sign */
+    joint->closed = 0 - joint->closed; /* a 0 stays +0 */
 }
 
 void dmi_joint_move(const dm_joint* joint, float value, const float rest_point[3], float out[3]) {

@@ -91,7 +91,7 @@ static void add_hit(lattice* l, const face_shape* f, float b, float c, uint64_t 
         sum += weight[i];
     }
     for (int i = 0; i < 3; i++)
-        if (sum == 0 || weight[i] / sum < 0) return;
+        if (sum == 0 || (sum > 0 ? weight[i] < 0 : weight[i] > 0)) return;
     float at[3];
     at[f->b] = b, at[f->c] = c, at[f->axis] = 0;
     for (int i = 0; i < 3; i++) at[f->axis] += (float)(weight[i] / sum * (double)f->corner[i][f->axis]);
@@ -108,10 +108,11 @@ static void add_hit(lattice* l, const face_shape* f, float b, float c, uint64_t 
 /* Meets the face with the line of a cell. */
 static void meet_cell(lattice* l, const face_shape* f, int32_t row, int32_t column) {
     const uint64_t chance = chance_of_line(f->side_seed, row, column);
-    if (unit_of(chance >> 42) >= f->kept) return; /* literal: the upper 21 of 63 bits */
     const float b = l->box.low[f->b] + ((float)row + unit_of(chance)) * l->spacing;
     const float c = l->box.low[f->c] + ((float)column + unit_of(chance >> 21)) * l->spacing;
-    if (b >= f->low[f->b] && b <= f->high[f->b] && c >= f->low[f->c] && c <= f->high[f->c])
+    const int kept = unit_of(chance >> 42) < f->kept; /* literal: the upper 21 of 63 bits */
+    /* One branch for all: each alone is hard to predict. */
+    if (kept & (b >= f->low[f->b]) & (b <= f->high[f->b]) & (c >= f->low[f->c]) & (c <= f->high[f->c]))
         add_hit(l, f, b, c, dmi_scramble(chance));
 }
 

@@ -10,14 +10,14 @@
 #include "math/linear3.h"
 
 #define SCALAR_LIMIT 4.0f /* bound of the joint's scalars, as trained (docs/networks.md) */
-#define MIN_TORQUE 1e-8f  /* length of lever x drag below which there is no direction, as trained */
+#define MIN_TORQUE 1e-8f  /* length of the product lever x drag below which the direction is 0, as trained */
 #define CHORD_STEP 5      /* path points between two chords, as trained */
 
 static float clamp_scalar(float value) {
     return dmi_fminf(dmi_fmaxf(value, -SCALAR_LIMIT), SCALAR_LIMIT);
 }
 
-/* Cylindrical coordinates of a point about the joint's axis: height along it and the lever arm. */
+/* Cylindrical coordinates of a point about the joint's axis: the height along the axis, and the lever arm. */
 typedef struct arm {
     float height, length;
     float across[3];
@@ -33,8 +33,8 @@ static arm arm_of(const float point[3], const float axis[3], const float origin[
     return result;
 }
 
-/* Returns the angle about the axis from one arm to the other. Of those a turn apart it is the nearest to `near`, and
- * `near` itself for a point on the axis. */
+/* Returns the angle about the axis from one arm to the other. Of the angles that are whole turns apart, it is the one
+ * nearest to `near`. For a point on the axis it is `near` itself. */
 static float angle_between(const arm* from, const arm* to, const float axis[3], float near) {
     float normal[3];
     dmi_cross3(from->across, to->across, normal);
@@ -45,8 +45,8 @@ static float angle_between(const arm* from, const arm* to, const float axis[3], 
 }
 
 /* Writes the path's features: path[i] = P_i - p, the joint value that brings p nearest to P_i, and the residual
- * distance. A turn keeps the arm's length and (except for a screw's advance) its height, so the residual is the
- * difference of both. */
+ * distance. A turn keeps the arm's length, and its height except for a screw's advance, so the residual comes from the
+ * differences of both. */
 static void make_path(const dmi_vae_query* query, const float axis[3], const float origin[3],
                       float out_path[DMI_VAE_PATH][5]) {
     const bool turns = dmi_joint_turns(query->joint.type), slides = query->joint.type == DM_JOINT_PRISMATIC;

@@ -1,4 +1,5 @@
-/* Gradient-boosted regression trees over rows of measured numbers; the sum of their leaves is a log odds. */
+/* Gradient-boosted regression trees over rows of measured numbers. The scores of the leaves that a row reaches add up
+ * to log odds. */
 #ifndef DMI_NN_TREE_ENSEMBLE_H
 #define DMI_NN_TREE_ENSEMBLE_H
 
@@ -9,7 +10,7 @@
 /* A split goes to the node `left` where the column is at most `value`, else to the node after it. A leaf is its own
  * left child and has an infinite value. */
 typedef struct dmi_ensemble_node {
-    float value, score; /* score: of a leaf */
+    float value, score; /* score: the score of a leaf; no split has one */
     uint8_t column, left;
 } dmi_ensemble_node;
 
@@ -19,11 +20,11 @@ typedef struct dmi_tree_ensemble {
 } dmi_tree_ensemble;
 
 /* Reads the tensors `name`.column and `name`.value of `tree_count` trees over rows of `columns` numbers (255 at most).
- * DM_ERROR_WRONG_MODEL when they are no trees. */
+ * The loader fails with DM_ERROR_WRONG_MODEL when they are no trees. */
 void dmi_load_tree_ensemble(dmi_loader* loader, const char* name, uint32_t tree_count, uint32_t columns,
                             dmi_tree_ensemble* out);
 
-/* Returns the sum of the leaves that the row falls into. */
+/* Returns the sum of the scores of the leaves that the row reaches. */
 float dmi_tree_ensemble_score(const dmi_tree_ensemble* ensemble, const float* row);
 
 #endif

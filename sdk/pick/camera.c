@@ -1,5 +1,5 @@
 /* Rays through pixels of perspective and orthographic cameras, in the host's axes. */
-#include "pick/camera.h"
+#include "pick/pick.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -1,5 +1,5 @@
 /* Ray picking: one static tree of triangles a part, built once with the object by Embree or by a backend of our own; a
- * scene of moved instances on top. */
+ * scene of moved instances on top. A camera gives the ray through a pixel. */
 #ifndef DMI_PICK_PICK_H
 #define DMI_PICK_PICK_H
 
@@ -75,5 +75,11 @@ void dmi_scene_commit(dmi_scene* scene);
 /* out_hit->object 0 when nothing is hit. The normal is (b - a) x (c - a) of the corners' host world coordinates, made
  * unit: in a left-handed host it points to the side from which the corners run clockwise. */
 void dmi_scene_pick(const dmi_scene* scene, const dm_ray* host_ray, dm_hit* out_hit);
+
+/* ---- camera.c ---- */
+
+/* Converts a screen position to a ray. handedness: +1 right-handed host, -1 left-handed. False (and no output) for a
+ * camera without a valid frame or viewport. */
+bool dmi_camera_ray(const dm_camera* camera, float handedness, float x, float y, dm_ray* out_ray);
 
 #endif

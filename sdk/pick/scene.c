@@ -10,19 +10,19 @@
 #include "pick/placed.h"
 
 #define FIRST_CAPACITY 16 /* instances; doubles when full */
-/* Bounds, in host units. Within them no product of floats on a ray's way overflows. */
+/* Bounds of an object, in host units. Within them no product of floats overflows while a ray is traced. */
 #define MIN_OBJECT_SIZE 1e-6 /* largest side */
 #define MAX_OBJECT_SIZE 1e12
-/* A commit that changes as large a share of the parts builds the tree anew; measured: placing a part takes as long as
- * rebuilding for four to eight. */
+/* A commit that changes more than one in so many parts builds the tree anew; measured: placing one part takes as long
+ * as rebuilding the tree takes for four to eight parts. */
 #define REBUILT_SHARE 6
 
 struct dmi_scene {
     dmi_picker* picker;
     dmi_placed_object** objects; /* objects by instance id; NULL where one was removed */
-    uint32_t* free_ids;          /* a stack of `free_count`, the next to use on top */
+    uint32_t* free_ids;          /* a stack of `free_count` ids; the next one to use is on top */
     uint32_t capacity, free_count;
-    dmi_placed_object* dirty; /* a list */
+    dmi_placed_object* dirty; /* first of a linked list: the objects that have moved since the last commit */
     dmi_top_tree tree;
     dmi_scene_trace* trace; /* the trace of the machine's instruction set */
 };
@@ -80,7 +80,7 @@ static dm_result grow(dmi_scene* scene) {
     return DM_OK;
 }
 
-/* The matrices wait for the commit: they are most of the memory. */
+/* Makes the parts of a placed object, at rest. Their matrices, which are most of the memory, wait for the commit. */
 static dm_result make_parts(dmi_scene* scene, dmi_placed_object* placed) {
     dm_result result = DM_OK;
     for (uint32_t p = 0; p < placed->bvh->part_count; p++) {
@@ -200,7 +200,7 @@ dm_result dmi_scene_remove(dmi_scene* scene, uint32_t instance) {
 
 /* ---- commit ---- */
 
-/* Computes what has moved of an object; returns how many parts of the tree that concerns. */
+/* Computes matrices and boxes of an object's parts that have moved. Returns how many of them the tree holds. */
 static uint32_t update_placed(dmi_scene* scene, dmi_placed_object* placed) {
     double placement[DMI_MATRIX], from_inner[DMI_MATRIX] = {0};
     const dmi_placed_part* at_rest = NULL;
@@ -211,14 +211,14 @@ static uint32_t update_placed(dmi_scene* scene, dmi_placed_object* placed) {
         dmi_placed_part* part = &placed->parts[p];
         if (part->leaf == DMI_TOP_NONE || !(placed->moved || part->moved)) continue;
         dmi_placed_part_update(part, placement, from_inner, &at_rest, &scene->tree.leaves[part->leaf].box);
-        part->moved = true; /* it counts as moved until it is placed */
+        part->moved = true; /* the part counts as moved until it is placed */
         changed++;
     }
     placed->moved = false;
     return changed;
 }
 
-/* Puts a part that has moved where it belongs now; what is new waits for the others. */
+/* Puts a part that has moved where it belongs now. A part that is new to the tree waits for the other new ones. */
 static void place_part(dmi_top_tree* tree, uint32_t leaf, bool rebuild) {
     if (rebuild)
         tree->leaves[leaf].placed = true;

@@ -18,14 +18,16 @@
 
 /* ---- contacts of the pieces ---- */
 
-/* Samples of one bucket that are compared with one sample. Bounds the work in crowded buckets; by hand. */
+/* Most samples of one bucket that are compared with one sample, which bounds the work in crowded buckets; by hand. */
 #define MAX_COMPARED 256
 #define MIN_COMPARED 16
-#define COMPARED_IN_ALL (1u << 22) /* the sum over all samples, where it asks for fewer than MAX_COMPARED; by hand */
-#define MIN_SLOTS 16               /* fewest slots of a hash table; by hand */
-#define BLOCK 16                   /* places that are compared at once; a power of two, 32 at most */
-#define ROUNDED_SQUARE 1.000001f   /* a square root's square is so much larger at most: 2^-23 twice, and to spare */
-#define NO_BYTE 0xff               /* memset value that makes every uint32_t DMI_PIECE_NONE */
+/* Most comparisons in all, where that is fewer than MAX_COMPARED for each sample; by hand. */
+#define COMPARED_IN_ALL (1u << 22)
+#define MIN_SLOTS 16 /* fewest slots of a hash table; by hand */
+#define BLOCK 16     /* places that are compared at once; a power of two, 32 at most */
+/* The square of a rounded square root is larger by less than this factor: twice 2^-23, and a margin. */
+#define ROUNDED_SQUARE 1.000001f
+#define NO_BYTE 0xff /* memset value that makes every uint32_t DMI_PIECE_NONE */
 
 /* Multipliers and shift of the hashes: large odd constants with mixed bits, as of xxHash32 and MurmurHash3. */
 #define HASH_X 0x9e3779b1u
@@ -33,19 +35,19 @@
 #define HASH_Z 0xc2b2ae35u
 #define HASH_SHIFT 15
 
-/* The 27 cells around and including a cell, by index; from the first one past the middle on, each pair comes once. */
+/* The 27 cells of a cell and its neighbours, by index. Comparisons with those after the middle meet each pair once. */
 enum { NEIGHBOUR_CELLS = 27, FIRST_LATER_CELL = 14, CELLS_OF_A_SLAB = 9 };
 
 enum { NUMBERS_A_PLACE = 5 }; /* coordinates, reach, and reach of the block */
 
-/* A bucket of samples. Its box is that of the first ones, as many as are compared. */
+/* A bucket of samples. Its box holds its first samples, as many as are compared. */
 typedef struct bucket {
     uint32_t first, end; /* places */
     float low[3], high[3];
 } bucket;
 
-/* Places: the samples sorted by bucket, in each the later ones first. What most comparisons read stands apart from the
- * rest of a sample. */
+/* A grid of buckets. A *place* is a position in the list of samples that is sorted by bucket; in a bucket, later
+ * samples come first. What most comparisons read stands apart from the rest of a sample. */
 typedef struct hash_grid {
     bucket* buckets;
     uint32_t* samples;                            /* per place */
@@ -53,10 +55,11 @@ typedef struct hash_grid {
     uint32_t* pieces;                             /* per place */
     float* points[3];                             /* per place */
     uint32_t (*contacts)[DMI_PIECE_MAX_CONTACTS]; /* per place: the pieces of its contacts */
-    float* block_reach; /* stands at the first place of each block of a bucket: no less than the reaches in the block */
-    float* reach;       /* per place: square of the distance from which on another sample is no contact to keep */
-    uint32_t mask;      /* buckets - 1 */
-    uint32_t compared;  /* samples of a bucket that are compared with one sample */
+    float* block_reach; /* per first place of each block of a bucket: no less than any reach in the block */
+    /* Per place: square of the distance from which on a contact with another sample is not kept. */
+    float* reach;
+    uint32_t mask;     /* buckets - 1 */
+    uint32_t compared; /* samples of a bucket that are compared with one sample */
     float cells_per_unit;
 } hash_grid;
 
@@ -75,7 +78,7 @@ static void cell_of(const hash_grid* grid, const float point[3], int32_t out[3])
     for (int k = 0; k < 3; k++) out[k] = (int32_t)floorf(point[k] * grid->cells_per_unit);
 }
 
-/* Returns which contact of a sample is the farthest, the first of them. */
+/* Returns the index of the farthest contact of a sample; the first of several that are equally far. */
 static uint32_t farthest_contact(const dmi_piece_sample* sample) {
     uint32_t farthest = 0;
     for (uint32_t i = 1; i < DMI_PIECE_MAX_CONTACTS; i++)
@@ -84,7 +87,7 @@ static uint32_t farthest_contact(const dmi_piece_sample* sample) {
 }
 
 /* Adds a contact to the sample at a place. Keeps the nearest sample of each other piece, and when more pieces are in
- * contact than there is room for, the nearest of them. Returns whether the reach is less now. */
+ * contact than there is room for, the nearest of them. Returns whether the sample's reach has become less. */
 static bool add_contact(const dmi_pieces* pieces, const hash_grid* grid, uint32_t place, uint32_t other, float square) {
     if (square >= grid->reach[place]) return false;
     dmi_piece_sample* sample = &pieces->samples[grid->samples[place]];
@@ -105,8 +108,8 @@ static bool add_contact(const dmi_pieces* pieces, const hash_grid* grid, uint32_
     return true;
 }
 
-/* Compares the sample at a place with those at BLOCK others, from `first` on. Returns a bit for each of another piece
- * that is near enough to be a contact of either. */
+/* Compares the sample at a place with those at BLOCK others, from `first` on. Returns a bit for each sample that is of
+ * another piece and near enough to be a contact of either. */
 static uint32_t near_ones(const hash_grid* grid, uint32_t place, uint32_t first) {
     const float x = grid->points[0][place], y = grid->points[1][place], z = grid->points[2][place];
     const float *xs = grid->points[0] + first, *ys = grid->points[1] + first, *zs = grid->points[2] + first;
@@ -124,7 +127,7 @@ static uint32_t near_ones(const hash_grid* grid, uint32_t place, uint32_t first)
 }
 
 /* Compares the sample at a place with those at BLOCK others or fewer, from `first` to `end`. Returns whether the reach
- * of one of these is less now. */
+ * of one of these others has become less. */
 static bool compare_with_block(const dmi_pieces* pieces, const hash_grid* grid, uint32_t place, uint32_t first,
                                uint32_t end) {
     bool less = false;
@@ -142,7 +145,7 @@ static bool compare_with_block(const dmi_pieces* pieces, const hash_grid* grid, 
     return less;
 }
 
-/* Returns where the comparison of one sample with a bucket ends that begins at `first`. */
+/* Returns where the comparison of one sample with a bucket ends. The comparison begins at `first`. */
 static uint32_t compared_end(const hash_grid* grid, uint32_t first, uint32_t end) {
     return end - first > grid->compared ? first + grid->compared : end;
 }
@@ -154,8 +157,8 @@ static float block_reach(const hash_grid* grid, uint32_t first, uint32_t end) {
     return reach;
 }
 
-/* Returns the square of the distance from a point to the box of a bucket. It is rounded as that to its samples is, and
- * so no larger than any of them. */
+/* Returns the square of the distance from a point to the box of a bucket. It is rounded as the distances to the samples
+ * are, and so is no larger than any of them. */
 static float square_to_box(const bucket* b, const float point[3]) {
     float offset[3];
     for (int k = 0; k < 3; k++) {
@@ -166,7 +169,8 @@ static float square_to_box(const bucket* b, const float point[3]) {
     return dmi_dot3(offset, offset);
 }
 
-/* Compares the sample at a place with a bucket, but for blocks where nothing is near enough for a contact of either. */
+/* Compares the sample at a place with a bucket. It skips blocks in which nothing is near enough for a contact of
+ * either. */
 static void compare_with_bucket(const dmi_pieces* pieces, const hash_grid* grid, uint32_t place, const bucket* b) {
     if (b->first == b->end) return;
     const float point[3] = {grid->points[0][place], grid->points[1][place], grid->points[2][place]};
@@ -230,7 +234,7 @@ static bool take_arrays(dmi_arena* arena, uint32_t count, hash_grid* out) {
     return true;
 }
 
-/* Sorts the samples by bucket, by a counting sort that goes from the last place to the first. */
+/* Sorts the samples by bucket, by a counting sort that fills each bucket from its last place to its first. */
 static void place_samples(const dmi_pieces* pieces, uint32_t count, hash_grid* grid) {
     uint32_t end = 0;
     for (uint32_t s = 0; s < count; s++) {
@@ -339,7 +343,7 @@ static uint32_t* sort_faces(dmi_arena* arena, const dmi_pieces* pieces, uint32_t
     return sorted;
 }
 
-/* Draws a uniformly distributed point of the face. */
+/* Draws a point that is uniformly distributed over the face. */
 static void sample_face(const dmi_mesh* mesh, uint32_t face, dmi_random* random, dmi_piece_sample* out) {
     const uint32_t* corners = mesh->indices + (size_t)face * 3;
     const float root = sqrtf(dmi_random_unit(random)), share = dmi_random_unit(random);
@@ -369,7 +373,7 @@ static void sample_piece(dmi_pieces* pieces, uint32_t piece, const uint32_t* fac
     }
 }
 
-/* Returns how many samples each piece gets whatever its area: at least 1. */
+/* Returns how many samples each piece gets regardless of its area: at least 1. */
 static uint32_t samples_added(uint32_t piece_count) {
     const uint32_t share = ADDED_SAMPLES / piece_count;
     if (share > MIN_PIECE_SAMPLES) return MIN_PIECE_SAMPLES;

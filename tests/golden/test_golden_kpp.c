@@ -1,7 +1,7 @@
 /* KPP-Net in C against PyTorch: the shipped weights, the same inputs, every kernel path of this machine. */
 #include "golden.h"
 
-#include "kinematics/features/kpp_candidate_scores.h"
+#include "kinematics/features/kpp_ensemble.h"
 #include "platform.h"
 
 #define CANDIDATES 40

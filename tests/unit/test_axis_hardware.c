@@ -1,5 +1,5 @@
 /* What lies on the axis of a candidate joint. */
-#include "kinematics/features/axis_hardware.h"
+#include "kinematics/features/feature_groups.h"
 #include "test_analysis.h"
 
 #define AROUND 16

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/random.h"
-#include "kinematics/ranking/boosted_trees.h"
+#include "kinematics/ranking/ranker.h"
 #include "test_world.h"
 
 enum { NODES = DMI_TREES * DMI_TREE_NODES, TENSORS = 2, ROWS = 37 };

@@ -4,7 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "pick/camera.h"
+#include "pick/pick.h"
 
 static dm_camera camera(void) {
     return (dm_camera){.struct_size = sizeof(dm_camera),

@@ -4,6 +4,8 @@
 #include <math.h>
 
 #include "base/random.h"
+#include "kinematics/analysis/analysis_steps.h"
+#include "kinematics/analysis/batched_transform.h"
 #include "kinematics/candidates/candidates.h"
 #include "kinematics/features/candidate_features.h"
 #include "kinematics/features/cheap_features.h"
@@ -111,6 +113,72 @@ static void distance_grid_agrees_with_brute_force(void** state) {
     assert_true(dmi_distance_grid_distance(&grid, outside) > 0.5f);
     dmi_arena_release(&arena);
     test_env_close(&t);
+}
+
+/* Returns the squared distance in cells from a cell to the nearest one that holds a sample. */
+static int32_t brute_square(const dmi_distance_grid* grid, const int32_t at[3]) {
+    int32_t least = INT32_MAX;
+    for (int32_t c = 0; c < grid->size[0] * grid->size[1] * grid->size[2]; c++) {
+        if (grid->start[c + 1] == grid->start[c]) continue;
+        const int32_t x = c % grid->size[0] - at[0], y = c / grid->size[0] % grid->size[1] - at[1];
+        const int32_t z = c / grid->size[0] / grid->size[1] - at[2];
+        least = x * x + y * y + z * z < least ? x * x + y * y + z * z : least;
+    }
+    return least;
+}
+
+/* The grid's squares are exact, with few samples and many: also where lines hold none. */
+static void distance_transform_is_exact(void** state) {
+    (void)state;
+    static float samples[400][3];
+    test_env t;
+    dmi_arena arena;
+    test_env_open(&t, TEST_NEVER);
+    dmi_arena_init(&arena, &t.env, 1 << 16);
+    dmi_random random = dmi_random_make(9, 9);
+    for (uint32_t count = 1; count <= 400; count *= 20) {
+        for (uint32_t i = 0; i < count; i++)
+            for (int k = 0; k < 3; k++) samples[i][k] = dmi_random_unit(&random) * dmi_random_unit(&random);
+        dmi_distance_grid grid;
+        const float low[3] = {0, 0, 0}, high[3] = {1, 0.5f, 0.7f};
+        assert_int_equal(dmi_distance_grid_make(&arena, (const float(*)[3])samples, count, low, high, 41, &grid),
+                         DM_OK);
+        for (int q = 0; q < 200 && grid.count > 0; q++) {
+            int32_t at[3];
+            for (int k = 0; k < 3; k++) at[k] = (int32_t)(dmi_random_u32(&random) % (uint32_t)grid.size[k]);
+            const int32_t cell = (at[2] * grid.size[1] + at[1]) * grid.size[0] + at[0];
+            assert_int_equal(grid.square[cell], brute_square(&grid, at));
+        }
+    }
+    dmi_arena_release(&arena);
+    test_env_close(&t);
+}
+
+/* A moved point meets a cell that holds a sample exactly where its distance is zero, with vectors and without. */
+static void points_meet_samples_where_their_distance_is_zero(void** state) {
+    (void)state;
+    open_lid();
+    const dmi_part_analysis* a = &lid.of_part;
+    int met = 0;
+    for (int turn = 0; turn < 63; turn++) {
+        float axis[3] = {1, 0.1f * (float)(turn % 7), 0}, distance[DMI_POINT_BATCH];
+        const float cosine = cosf(0.1f * (float)turn), sine = sinf(0.1f * (float)turn);
+        int32_t meets[DMI_POINT_BATCH], meets_slowly[DMI_POINT_BATCH];
+        dmi_batched_transform moved;
+        dmi_normalize3(axis);
+        dmi_batched_transform_revolute(axis, a->centre, (const float(*)[3])a->points, DMI_POINT_BATCH, &moved);
+        dmi_batched_transform_distances(&moved, cosine, sine, 0.01f, &a->body_grid, distance);
+        dmi_batched_transform_meetings(&moved, cosine, sine, 0.01f, &a->body_grid, meets);
+        moved.count = DMI_POINT_BATCH - 1; /* not a whole number of vectors */
+        dmi_batched_transform_meetings(&moved, cosine, sine, 0.01f, &a->body_grid, meets_slowly);
+        for (uint32_t i = 0; i < moved.count; i++) {
+            assert_int_equal(meets[i], distance[i] == 0);
+            assert_int_equal(meets[i], meets_slowly[i]);
+            met += meets[i];
+        }
+    }
+    assert_true(met > 20 && met < 63 * DMI_POINT_BATCH);
+    test_analysis_close(&lid);
 }
 
 static float nearest_line(uint32_t count, const float axis[3], const float point[3]) {
@@ -325,6 +393,8 @@ int main(void) {
         cmocka_unit_test(min_volume_box_of_a_rotated_box),
         cmocka_unit_test(slippage_of_a_cylinder),
         cmocka_unit_test(distance_grid_agrees_with_brute_force),
+        cmocka_unit_test(distance_transform_is_exact),
+        cmocka_unit_test(points_meet_samples_where_their_distance_is_zero),
         cmocka_unit_test(an_empty_neighbourhood_is_a_few_diagonals_away),
         cmocka_unit_test(the_hinge_of_a_lid_is_a_candidate),
         cmocka_unit_test(the_networks_joint_is_a_candidate),

@@ -4,7 +4,7 @@
 #include "test_analysis.h"
 #include "test_world.h"
 
-#include "kinematics/limits/closed_pose.h"
+#include "kinematics/limits/limits.h"
 #include "math/joint.h"
 
 #define WALL 0.02f

@@ -4,11 +4,11 @@
 #include <math.h>
 
 #include "base/random.h"
-#include "kinematics/kpp/farthest_point_sampling.h"
+#include "kinematics/kpp/kpp_input.h"
 
 #define GROUPS 40
 
-static float xyz[3][DMI_FPS_MAX_POINTS];
+static float xyz[3][DMI_KPP_POINTS];
 
 static float square_distance(uint32_t a, uint32_t b) {
     const float x = xyz[0][b] - xyz[0][a], y = xyz[1][b] - xyz[1][a], z = xyz[2][b] - xyz[2][a];
@@ -16,9 +16,9 @@ static float square_distance(uint32_t a, uint32_t b) {
 }
 
 /* Checks that the m-th member has exactly m points before it in the order by distance, then index. */
-static void check_members(uint32_t centre, uint32_t count, const uint32_t members[DMI_FPS_GROUP]) {
+static void check_members(uint32_t centre, uint32_t count, const uint32_t members[DMI_KPP_GROUP]) {
     assert_int_equal(members[0], centre);
-    for (uint32_t m = 1; m < DMI_FPS_GROUP; m++) {
+    for (uint32_t m = 1; m < DMI_KPP_GROUP; m++) {
         const float own = square_distance(centre, members[m]);
         uint32_t before = 1;
         for (uint32_t i = 0; i < count; i++) {
@@ -42,7 +42,7 @@ static uint32_t farthest_from(const uint32_t* centres, uint32_t centre_count, ui
 
 static void groups_equal_brute_force(void** state) {
     (void)state;
-    static const uint32_t counts[4] = {DMI_FPS_POINT_STEP, 96, 512, DMI_FPS_MAX_POINTS};
+    static const uint32_t counts[4] = {DMI_FPS_POINT_STEP, 96, 512, DMI_KPP_POINTS};
     dmi_random random = dmi_random_make(4, 1);
     for (int kind = 0; kind < 3; kind++)
         for (int n = 0; n < 4; n++) {
@@ -55,7 +55,7 @@ static void groups_equal_brute_force(void** state) {
             dmi_fps_begin(xyz[0], xyz[1], xyz[2], counts[n], &sampling);
             uint32_t centres[GROUPS + 1] = {0};
             for (uint32_t g = 0; g < GROUPS; g++) {
-                uint32_t members[DMI_FPS_GROUP];
+                uint32_t members[DMI_KPP_GROUP];
                 centres[g + 1] = dmi_fps_next(&sampling, centres[g], members);
                 check_members(centres[g], counts[n], members);
                 assert_int_equal(centres[g + 1], farthest_from(centres, g + 1, counts[n]));

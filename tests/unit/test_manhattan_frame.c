@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/random.h"
-#include "kinematics/kpp/manhattan_frame.h"
+#include "kinematics/kpp/kpp_frame.h"
 #include "math/linear3.h"
 
 #define COUNT 600

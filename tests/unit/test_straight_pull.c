@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "kinematics/inference/joint_inference.h"
-#include "kinematics/inference/straight_pull.h"
 #include "math/linear3.h"
 #include "test_shapes.h"
 #include "test_world.h"

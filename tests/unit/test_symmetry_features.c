@@ -1,5 +1,5 @@
 /* Likeness of a part and its body to their mirror images. */
-#include "kinematics/features/symmetry_features.h"
+#include "kinematics/features/feature_groups.h"
 #include "test_analysis.h"
 
 /* Two doors of a cupboard, the left of which moves; it has a handle near the middle, high up. */

@@ -12,7 +12,7 @@ import itertools
 
 import numpy as np
 
-TREES, DRAG_TREES, LEAVES = 400, 100, 128  # as in boosted_trees.h, where the first number includes the second
+TREES, DRAG_TREES, LEAVES = 400, 100, 128  # as in ranker.h, where the first number includes the second
 DRAG_RATE = 0.15  # of the trees of drags
 DRAG_SHARE = 0.4  # of their corrections that counts: all of it costs exact drags too much (docs/research/trials_joints.md)
 BINS = 64  # DM_LAB_BINS

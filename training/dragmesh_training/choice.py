@@ -1,5 +1,5 @@
 """What KPP-Net's candidate-scoring head (networks.Choice) is trained on: lines through and beside the part, and how far each
-one's motion is from the true joint's. sdk/kinematics/features/kpp_candidate_scores.c computes the same numbers of a line."""
+one's motion is from the true joint's. sdk/kinematics/features/kpp_ensemble.c computes the same numbers of a line."""
 import torch
 import torch.nn.functional as F
 

@@ -3,7 +3,7 @@
 #define DM_LAB_HINT_DRAW_H
 
 #include "case.h"
-#include "kinematics/hints/asset_hints.h"
+#include "kinematics/hints/hint_features.h"
 #include "lab_hints.h"
 
 /* Draws what the case's asset says of the part. The object must be in the generator's orientation

@@ -166,9 +166,9 @@ namespace DragMesh
         public const int DM_ASSET_WITHOUT_CLIPS = 256;
         /// <summary>names and labels are ignored</summary>
         public const int DM_ASSET_WITHOUT_NAMES = 512;
-        /// <summary>a clip moves a node as no joint does, or is not rigid</summary>
+        /// <summary>a clip is not rigid, or no joint moves a node as it does</summary>
         public const int DM_ASSET_CLIP_LEFT_OUT = 1;
-        /// <summary>It may move, but probably does not: `moves` is below dm_asset_desc.min_moves. A body that almost certainly stays is no part.</summary>
+        /// <summary>It may move, but probably does not: `moves` is below dm_asset_desc.min_moves. A body that almost certainly stays is not listed as a part.</summary>
         public const int DM_ASSET_STAYS = 0;
         /// <summary>it moves by its joint</summary>
         public const int DM_ASSET_MOVES = 1;
@@ -214,11 +214,11 @@ namespace DragMesh
         public const int DM_INPUT_ASK = 2;
         /// <summary>lower and upper hold even when they are equal</summary>
         public const int DM_INPUT_BOUNDS = 4;
-        /// <summary>it follows the pointer</summary>
+        /// <summary>the part follows the pointer</summary>
         public const int DM_DRAG_HELD = 0;
-        /// <summary>it moves by itself after dm_drag_release</summary>
+        /// <summary>the part moves by itself after dm_drag_release</summary>
         public const int DM_DRAG_RELEASED = 1;
-        /// <summary>it has come to where it goes</summary>
+        /// <summary>the part has come to where it goes</summary>
         public const int DM_DRAG_AT_REST = 2;
         /// <summary>It has met its lower limit (within 0.5 % of the range), with the speed dm_drag_state.impact. The event comes again after the part was 2 % away. An estimated limit that has given does not count.</summary>
         public const int DM_EVENT_LIMIT_LOWER = 1;
@@ -692,7 +692,7 @@ namespace DragMesh
         public Vec3 Vector;
     }
 
-    /// <summary>Where an asset has the node or bone that moves a part, at rest. An artist may have put it on the hinge, or left it in the middle or at the file's origin, so it is evidence only. Leave it out, or say DM_PIVOT_DEFAULT, where all nodes of an asset have theirs by one rule: at one point, or at the same place of their boxes. A program has put them there, and an edge that happens to lie there would be taken for a hinge.</summary>
+    /// <summary>The place, at rest, of the node or bone that moves a part. An artist may have put it on the hinge, or left it in the middle or at the file's origin, so it is evidence only. Leave it out, or say DM_PIVOT_DEFAULT, where the nodes of an asset all have their places by one rule: at one point, or at the same place of their boxes. A program has put them there, and the library would take an edge that happens to lie there for a hinge.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Pivot
     {
@@ -742,11 +742,11 @@ namespace DragMesh
         public float Pitch;
         /// <summary>Unit vector, host object frame. A positive value slides along it, or turns about it: right-handed in a right-handed host frame, left-handed in a left-handed one. A joint found with a drag is positive the way of the drag. Without a drag the longer way is positive, so `upper` is the open end.</summary>
         public Vec3 Axis;
-        /// <summary>A point of the axis: of a joint of the library the one nearest the part's centre; a host's own stays as it was given.</summary>
+        /// <summary>A point of the axis. For a joint that the library found, it is the one nearest the part's centre. The point of a host's own joint stays as it was given.</summary>
         public Vec3 Origin;
-        /// <summary>Limits of the joint value, rad or host units; the rest pose is value 0. There are none when both are equal, and none for continuous joints. A limit of the host farther from rest than 1000 rad or 100 object sizes (FLT_MAX, 1e10, infinity) counts as none. Where only one side has none, a little more than that stands for it.</summary>
+        /// <summary>Limits of the joint value, rad or host units; the rest pose is value 0. There are no limits when both are equal, and none for continuous joints. A limit of the host farther from rest than 1000 rad or 100 object sizes (FLT_MAX, 1e10, infinity) counts as none. Where only one side has none, a slightly larger number stands for the missing limit.</summary>
         public float Lower;
-        /// <summary>Limits of the joint value, rad or host units; the rest pose is value 0. There are none when both are equal, and none for continuous joints. A limit of the host farther from rest than 1000 rad or 100 object sizes (FLT_MAX, 1e10, infinity) counts as none. Where only one side has none, a little more than that stands for it.</summary>
+        /// <summary>Limits of the joint value, rad or host units; the rest pose is value 0. There are no limits when both are equal, and none for continuous joints. A limit of the host farther from rest than 1000 rad or 100 object sizes (FLT_MAX, 1e10, infinity) counts as none. Where only one side has none, a slightly larger number stands for the missing limit.</summary>
         public float Upper;
         /// <summary>DM_JOINT_FROM_*, DM_JOINT_CHOSEN</summary>
         public int Source;
@@ -800,7 +800,7 @@ namespace DragMesh
         public float Velocity;
         /// <summary>DM_STATUS_*; output only</summary>
         public uint Status;
-        /// <summary>The pose as shown, from rest. It differs from dm_joint_pose(joint, value) only while the part blends over to a joint that has just changed. Zeros: that of joint and value.</summary>
+        /// <summary>The pose as shown, from rest. It differs from dm_joint_pose(joint, value) only while the part blends over to a joint that has just changed. Zeros: the pose of joint and value.</summary>
         public Pose Pose;
         /// <summary>stays the last field</summary>
         public Joint Joint;
@@ -966,13 +966,13 @@ namespace DragMesh
         public MeshDesc* Mesh;
         /// <summary>4x4, column-major, affine: takes the node's frame to the asset frame, all nodes above it included. NULL: identity.</summary>
         public float* Transform;
-        /// <summary>Asset frame. NULL: origin and axes of `transform`, and unknown where that is NULL too.</summary>
+        /// <summary>Pivot of the node, asset frame. NULL: origin and axes of `transform`, and unknown where that is NULL too.</summary>
         public Pivot* Pivot;
         public AssetClip* Clips;
         public uint ClipCount;
         /// <summary>0</summary>
         public uint Reserved;
-        /// <summary>Joint that the file states for this node, asset frame, with limits. It is certain, as a joint that the host sets. DM_JOINT_FIXED: the node is one with the node above it. NULL: none.</summary>
+        /// <summary>Joint that the file states for this node, asset frame, with limits. It is as certain as a joint that the host sets. DM_JOINT_FIXED: the node is one with the node above it. NULL: none.</summary>
         public Joint* Joint;
 
         /// <summary>Zeros, with StructSize set.</summary>
@@ -1101,11 +1101,11 @@ namespace DragMesh
         public uint StructSize;
         /// <summary>DM_RULE_*</summary>
         public uint Flags;
-        /// <summary>Joint values, rising, at which the part catches as at detents, as hard as feel.detent_pull says. With feel.detent above 0 they are refused.</summary>
+        /// <summary>Joint values, rising, at which the part catches as at detents, with the strength of feel.detent_pull. With feel.detent above 0 they are refused.</summary>
         public float* Snaps;
         /// <summary>DM_MAX_SNAPS at most</summary>
         public uint SnapCount;
-        /// <summary>Joint value that a snap value reaches to either side; 0 = half-way to the next one, or a twentieth of the range where there is none.</summary>
+        /// <summary>Distance, in joint value, from which a snap value catches the part, to either side; 0 = half-way to the next one, or a twentieth of the range where there is none.</summary>
         public float SnapReach;
         /// <summary>share of the range from rest beyond which DM_EVENT_OPENED comes; 0 = 0.1</summary>
         public float OpenShare;
@@ -1125,7 +1125,7 @@ namespace DragMesh
         public float AutoCloseShare;
         /// <summary>seconds in which it closes; 0 = 0.25</summary>
         public float AutoCloseTime;
-        /// <summary>seconds from the release until feel.return_time brings the part back</summary>
+        /// <summary>seconds from the release until the part starts to spring back by feel.return_time</summary>
         public float CloseDelay;
         /// <summary>Share of the range: a released part nearer to rest than this falls to rest, and any other to its open end, as a hatch does; 0 = it does not fall.</summary>
         public float TipShare;
@@ -1156,11 +1156,11 @@ namespace DragMesh
         public int Kind;
         /// <summary>DM_LINK_BOTH_WAYS</summary>
         public uint Flags;
-        /// <summary>Value of the driven part a value of the driver; 0 = 1. The two may be rad and host units, as in a rack and pinion.</summary>
+        /// <summary>How far the driven part's value changes for each unit of the driver's; 0 = 1. The two may be rad and host units, as in a rack and pinion.</summary>
         public float Ratio;
         /// <summary>value of the driven part while the driver is at `from`</summary>
         public float Offset;
-        /// <summary>Value of the driver from which on the link acts, on that side of rest. With 0, DM_LINK_FREES and DM_LINK_HOLDS count it as reached at rest.</summary>
+        /// <summary>Value of the driver from which on the link acts, on that side of rest. A `from` of 0 counts as reached at rest for DM_LINK_FREES and DM_LINK_HOLDS.</summary>
         public float From;
     }
 
@@ -1195,7 +1195,7 @@ namespace DragMesh
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Hand
     {
-        /// <summary>DM_HAND_*. RATE, STEP and VALUE stay inside the limits. RATE and STEP open the part with an amount above 0. A limit that the library estimated stops them first, and gives afterwards, as it gives to a pull: to a RATE after 0.25 s at the limit, to a STEP at the next one.</summary>
+        /// <summary>DM_HAND_*. RATE, STEP and VALUE stay inside the limits. RATE and STEP open the part with an amount above 0. A limit that the library estimated stops them first. It gives afterwards, as it gives to a pull: to a RATE after 0.25 s at the limit, to a STEP with the next step.</summary>
         public int Kind;
         /// <summary>object frame, scaled with dm_drag_desc.scale</summary>
         public Ray Ray;
@@ -1215,13 +1215,13 @@ namespace DragMesh
         /// <summary>DM_INPUT_*</summary>
         public uint Flags;
         public Hand Hand;
-        /// <summary>Another hand on the part, by ray or point; DM_HAND_NONE = none. Each hand counts as far as it can move the part. It comes and goes without a jump.</summary>
+        /// <summary>Another hand on the part, by ray or point; DM_HAND_NONE = none. The hand that can move the part farther counts more. The second hand comes and goes without a jump.</summary>
         public Hand Second;
         /// <summary>joint values of the handles of a latch, from their drags or links</summary>
         public fixed float Handles[2];
-        /// <summary>Joint values between which the host's world leaves the part room in this update, infinite on a free side. There are none when both are equal, unless DM_INPUT_BOUNDS is set. The part stops there softly, goes on when it is free, and is pushed back when it lies beyond.</summary>
+        /// <summary>Joint values between which the host's world leaves the part room in this update, infinite on a free side. There are no bounds when both are equal, unless DM_INPUT_BOUNDS is set. The part stops there softly, goes on when it is free, and is pushed back when it lies beyond.</summary>
         public float Lower;
-        /// <summary>Joint values between which the host's world leaves the part room in this update, infinite on a free side. There are none when both are equal, unless DM_INPUT_BOUNDS is set. The part stops there softly, goes on when it is free, and is pushed back when it lies beyond.</summary>
+        /// <summary>Joint values between which the host's world leaves the part room in this update, infinite on a free side. There are no bounds when both are equal, unless DM_INPUT_BOUNDS is set. The part stops there softly, goes on when it is free, and is pushed back when it lies beyond.</summary>
         public float Upper;
 
         /// <summary>Zeros, with StructSize set.</summary>
@@ -1254,7 +1254,7 @@ namespace DragMesh
         public uint Detents;
         /// <summary>Speed with which it met a limit or was blocked, joint value a second; 0 without such an event, or without dm_drag_desc.rules.</summary>
         public float Impact;
-        /// <summary>DM_STATUS_*: what holds the part, and how it stands; 0 without dm_drag_desc.rules</summary>
+        /// <summary>DM_STATUS_*: what holds the part, and whether it is open; 0 without dm_drag_desc.rules</summary>
         public uint Status;
         /// <summary>Probability that the joint in force is right, 0 to 1: the one number to show. A pull of one kind from one side never makes it 1.</summary>
         public float JointConfidence;
@@ -1273,7 +1273,7 @@ namespace DragMesh
         public uint StructSize;
         /// <summary>DM_GO_*</summary>
         public int Intent;
-        /// <summary>seconds from here to the end; 0 = by how far and how fast the part goes</summary>
+        /// <summary>seconds from here to the end; 0 = the library takes it from the part's way and speed</summary>
         public float Duration;
         /// <summary>seed of the DQ-VAE, as dm_motion_desc.seed</summary>
         public uint Seed;
@@ -1609,11 +1609,11 @@ namespace DragMesh
         public const string Library = "dragmesh", GltfLibrary = "dragmesh_gltf";
 #endif
 
-        /// <summary>Returns the name of a result, such as "DM_ERROR_EMPTY_MASK", or "DM_ERROR_UNKNOWN" for a number that is none. It never returns NULL. [any-thread]</summary>
+        /// <summary>Returns the name of a result, such as "DM_ERROR_EMPTY_MASK", or "DM_ERROR_UNKNOWN" for a number that is not one. It never returns NULL. [any-thread]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern byte* dm_result_string(int result);
 
-        /// <summary>Returns the version of the library in use, as DM_VERSION has it. [any-thread]</summary>
+        /// <summary>Returns the version of the library in use, as a number like DM_VERSION. [any-thread]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern uint dm_version();
 
@@ -1645,7 +1645,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_model_unload(IntPtr context, ulong model);
 
-        /// <summary>Finds the part that a point of the surface belongs to, where no mask names it. Writes 1 to out_face_ids for every triangle that moves with it and 0 for the others; as part ids per face they can go into a dm_mesh_desc unchanged. The call takes up to tens of milliseconds, and a second for tens of thousands of loose pieces; its time grows at most linearly with their number. mesh-&gt;part_ids: pieces known to be rigid, such as the nodes of a scene; the grabbed one moves, together with what is fastened to it alone. With NULL, or with one piece, the part is put together from the mesh's sheets of surface. drag: the point where the part was grabbed, and the direction of the pull; a zero vector means no direction. Errors: those of dm_object_prepare for a mesh; BUFFER_TOO_SMALL when face_count is less than the mesh's; DRAG_OFF_PART; FULL_MASK when nothing is left that stays; CANCELLED. [any-thread]</summary>
+        /// <summary>Finds the part that a point of the surface belongs to, in a mesh whose parts are not known. Writes 1 to out_face_ids for every triangle of the part and 0 for the others; as part ids per face they can go into a dm_mesh_desc unchanged. The call takes up to tens of milliseconds, and a second for tens of thousands of loose pieces; its time grows at most linearly with their number. mesh-&gt;part_ids: pieces known to be rigid, such as the nodes of a scene; the grabbed one moves, together with what is fastened to it alone. With NULL, or with one piece, the part is put together from the mesh's sheets of surface. drag: the point where the part was grabbed, and the direction of the pull; a zero vector means no direction. Errors: those of dm_object_prepare for a mesh; BUFFER_TOO_SMALL when face_count is less than the mesh's; DRAG_OFF_PART; FULL_MASK when nothing is left that stays; CANCELLED. [any-thread]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_mesh_find_part(IntPtr context, MeshDesc* mesh, DragHint* drag, byte* out_face_ids, ulong face_count);
 
@@ -1653,7 +1653,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_prepare(IntPtr context, ObjectDesc* desc, ulong* out_object);
 
-        /// <summary>Writes a prepared object as .dmo bytes, which are versioned, checksummed and little-endian. Call it with a NULL buffer to learn the size. out_size gets the bytes needed or written, also with BUFFER_TOO_SMALL. Triangles are stored with trees of the library's own, so that loading builds none; where the object has other trees, each call builds them. [exclusive object]</summary>
+        /// <summary>Writes a prepared object as .dmo bytes, which are versioned, checksummed and little-endian. Call it with a NULL buffer to learn the size. out_size gets the bytes needed or written, also with BUFFER_TOO_SMALL. Triangles are stored with trees of the library's own, so that loading builds none; where the object has other trees, each call builds the library's. [exclusive object]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_save(IntPtr context, ulong @object, void* buffer, UIntPtr capacity, UIntPtr* out_size);
 
@@ -1693,11 +1693,11 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_reset_joint(IntPtr context, ulong @object, uint part_id);
 
-        /// <summary>Replaces all links between parts of an object by copies of these. count: 0, which removes all, to DM_MAX_LINKS. A saved object does not hold links. Errors: INVALID_ARGUMENT also when a part is moved by two drivers, or by itself over others; NOT_FOUND. [exclusive object]</summary>
+        /// <summary>Replaces all links between parts of an object by copies of these. count: 0, which removes all, to DM_MAX_LINKS. A saved object does not hold links. Errors: INVALID_ARGUMENT also when two drivers move one part, or a part moves itself through other links; NOT_FOUND. [exclusive object]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_set_links(IntPtr context, ulong @object, Link* links, uint count);
 
-        /// <summary>Moves everything that is linked with a part that has moved. inout_values: the joint values of one instance, one a part, in the order of dm_object_get_part. The value of the part itself changes when a driver of it is at its limit (dm_drag_override). out_held: gets 1 for each part that links hold where it is (DM_INPUT_LOCKED), else 0; may be NULL. count: the number of parts, which is the length of both. The limits are those of the joints in force, for the unscaled instance. [frame]</summary>
+        /// <summary>Moves everything that is linked with a part that has moved. inout_values: the joint values of one instance, one a part, in the order of dm_object_get_part. The value of the moved part itself changes too when a driver of it is at its limit; dm_drag_override takes that value. out_held: gets 1 for each part that links hold where it is (DM_INPUT_LOCKED), else 0; may be NULL. count: the number of parts, which is the length of both. The limits are those of the joints in force, for the unscaled instance. [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_object_follow_links(IntPtr context, ulong @object, uint part_id, float* inout_values, byte* out_held, uint count);
 
@@ -1733,11 +1733,11 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_asset_make_object(IntPtr context, ulong asset, ulong* out_object);
 
-        /// <summary>Writes the pose of a joint at a value, from rest, in the frame of the joint. The axis may have any length, here and in the functions below. [frame]</summary>
+        /// <summary>Writes the pose of a joint at a value, from rest, in the frame in which the joint is given. The axis may have any length, here and in the functions below. [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_joint_pose(Joint* joint, float value, Pose* out_pose);
 
-        /// <summary>Inverts dm_joint_pose: writes the value at which the joint comes nearest to a pose. out_angle_error gets the angle between both poses, rad. out_distance_error gets the distance of the joint's origin under both, host units. Both may be NULL. Of values one turn apart, the answer is the one inside the limits, or else the one nearest to 0; for a screw, its advance decides. Errors: NOT_FINITE when an answer is beyond a float's range. [frame]</summary>
+        /// <summary>Inverts dm_joint_pose: writes the value at which the joint comes nearest to a pose. out_angle_error gets the angle between both poses, rad. out_distance_error gets the distance between the places of the joint's origin under both, host units. Both may be NULL. Of values one turn apart, the answer is the one inside the limits, or else the one nearest to 0; for a screw, its advance decides. Errors: NOT_FINITE when an answer is beyond a float's range. [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_joint_value(Joint* joint, Pose* pose, float* out_value, float* out_angle_error, float* out_distance_error);
 
@@ -1773,7 +1773,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_drag_begin(IntPtr context, DragDesc* desc, ulong* out_drag);
 
-        /// <summary>Advances a drag by dt seconds. The grabbed point follows the pointer's ray (object frame, scaled with dm_drag_desc.scale) as closely as the joint allows. Pass the ray that grabbed the part first: by how much it misses the grab point, at most 0.032 rad, is kept for the whole drag, so that the part does not move before the pointer does. A dt from -1e-4 to 0, as clocks round it, counts as 0. After dm_drag_release the part moves by itself, and ray may be NULL. out_state-&gt;struct_size must be set. [frame]</summary>
+        /// <summary>Advances a drag by dt seconds. The grabbed point follows the pointer's ray (object frame, scaled with dm_drag_desc.scale) as closely as the joint allows. Pass the ray that grabbed the part first. The whole drag keeps the angle by which this ray misses the grab point, up to 0.032 rad, so that the part does not move before the pointer does. A dt from -1e-4 to 0, as clocks round it, counts as 0. After dm_drag_release the part moves by itself, and ray may be NULL. out_state-&gt;struct_size must be set. [frame]</summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_drag_update(IntPtr context, ulong drag, Ray* ray, float dt, DragState* out_state);
 
@@ -1861,7 +1861,7 @@ namespace DragMesh
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int dm_scene_pick(IntPtr context, ulong scene, Ray* ray, Hit* out_hit);
 
-        /// <summary>Returns the version of the libdragmesh_gltf in use, as DM_VERSION has it.</summary>
+        /// <summary>Returns the version of the libdragmesh_gltf in use, as a number like DM_VERSION.</summary>
         [DllImport(GltfLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern uint dm_gltf_version();
 

@@ -358,7 +358,7 @@ class DragHint(Struct):
 
 
 class Pivot(Struct):
-    """Where an asset has the node or bone that moves a part, at rest. An artist may have put it on the hinge, or left it in the middle or at the file's origin, so it is evidence only. Leave it out, or say DM_PIVOT_DEFAULT, where all nodes of an asset have theirs by one rule: at one point, or at the same place of their boxes. A program has put them there, and an edge that happens to lie there would be taken for a hinge."""
+    """The place, at rest, of the node or bone that moves a part. An artist may have put it on the hinge, or left it in the middle or at the file's origin, so it is evidence only. Leave it out, or say DM_PIVOT_DEFAULT, where the nodes of an asset all have their places by one rule: at one point, or at the same place of their boxes. A program has put them there, and the library would take an edge that happens to lie there for a hinge."""
 
     origin: Vec3
     axes: Any

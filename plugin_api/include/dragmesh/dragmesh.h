@@ -280,10 +280,10 @@ typedef struct dm_drag_hint {
     dm_vec3 vector; /* direction of the pull, not zero; its length is how far it went */
 } dm_drag_hint;
 
-/* Where an asset has the node or bone that moves a part, at rest. An artist may have put it on the hinge, or left it in
- * the middle or at the file's origin, so it is evidence only. Leave it out, or say DM_PIVOT_DEFAULT, where all nodes of
- * an asset have theirs by one rule: at one point, or at the same place of their boxes. A program has put them there,
- * and an edge that happens to lie there would be taken for a hinge. */
+/* The place, at rest, of the node or bone that moves a part. An artist may have put it on the hinge, or left it in the
+ * middle or at the file's origin, so it is evidence only. Leave it out, or say DM_PIVOT_DEFAULT, where the nodes of an
+ * asset all have their places by one rule: at one point, or at the same place of their boxes. A program has put them
+ * there, and the library would take an edge that happens to lie there for a hinge. */
 typedef struct dm_pivot {
     dm_vec3 origin; /* host object frame */
     /* The node's x, y and z axis, three numbers each, host object frame. They may have any length, and may be mirrored.
@@ -326,12 +326,13 @@ typedef struct dm_joint {
      * right-handed host frame, left-handed in a left-handed one. A joint found with a drag is positive the way of the
      * drag. Without a drag the longer way is positive, so `upper` is the open end. */
     dm_vec3 axis;
-    /* A point of the axis: of a joint of the library the one nearest the part's centre; a host's own stays as it was
-     * given. */
+    /* A point of the axis. For a joint that the library found, it is the one nearest the part's centre. The point of a
+     * host's own joint stays as it was given. */
     dm_vec3 origin;
-    /* Limits of the joint value, rad or host units; the rest pose is value 0. There are none when both are equal, and
-     * none for continuous joints. A limit of the host farther from rest than 1000 rad or 100 object sizes (FLT_MAX,
-     * 1e10, infinity) counts as none. Where only one side has none, a little more than that stands for it. */
+    /* Limits of the joint value, rad or host units; the rest pose is value 0. There are no limits when both are equal,
+     * and none for continuous joints. A limit of the host farther from rest than 1000 rad or 100 object sizes (FLT_MAX,
+     * 1e10, infinity) counts as none. Where only one side has none, a slightly larger number stands for the missing
+     * limit. */
     float lower, upper;
     int32_t source; /* DM_JOINT_FROM_*, DM_JOINT_CHOSEN */
     /* Evidence in a dm_part_state: what the part's pulls so far say of all its joints. dm_drag_end writes it and
@@ -378,7 +379,7 @@ typedef struct dm_part_state {
     float velocity; /* d value / dt, for a physics engine that takes over; output only: a drag begins with velocity 0 */
     uint32_t status; /* DM_STATUS_*; output only */
     /* The pose as shown, from rest. It differs from dm_joint_pose(joint, value) only while the part blends over to a
-     * joint that has just changed. Zeros: that of joint and value. */
+     * joint that has just changed. Zeros: the pose of joint and value. */
     dm_pose pose;
     dm_joint joint; /* stays the last field */
 } dm_part_state;
@@ -530,13 +531,13 @@ typedef struct dm_asset_node {
     /* 4x4, column-major, affine: takes the node's frame to the asset frame, all nodes above it included. NULL:
      * identity. */
     const float* transform;
-    /* Asset frame. NULL: origin and axes of `transform`, and unknown where that is NULL too. */
+    /* Pivot of the node, asset frame. NULL: origin and axes of `transform`, and unknown where that is NULL too. */
     const dm_pivot* pivot;
     const dm_asset_clip* clips;
     uint32_t clip_count;
     uint32_t reserved; /* 0 */
-    /* Joint that the file states for this node, asset frame, with limits. It is certain, as a joint that the host sets.
-     * DM_JOINT_FIXED: the node is one with the node above it. NULL: none. */
+    /* Joint that the file states for this node, asset frame, with limits. It is as certain as a joint that the host
+     * sets. DM_JOINT_FIXED: the node is one with the node above it. NULL: none. */
     const dm_joint* joint;
 } dm_asset_node;
 
@@ -563,7 +564,7 @@ typedef struct dm_asset_desc {
 
 /* What was ignored, as bits of dm_asset_info.warnings. */
 enum {
-    DM_ASSET_CLIP_LEFT_OUT = 1 /* a clip moves a node as no joint does, or is not rigid */
+    DM_ASSET_CLIP_LEFT_OUT = 1 /* a clip is not rigid, or no joint moves a node as it does */
 };
 
 typedef struct dm_asset_info {
@@ -579,7 +580,7 @@ typedef struct dm_asset_info {
 /* Whether a part moves. */
 enum {
     /* It may move, but probably does not: `moves` is below dm_asset_desc.min_moves. A body that almost certainly stays
-     * is no part. */
+     * is not listed as a part. */
     DM_ASSET_STAYS = 0,
     DM_ASSET_MOVES = 1, /* it moves by its joint */
     /* Only its weight holds it, as the lid of a teapot, so a player can take it away. Its joint is the slide by which
@@ -664,12 +665,12 @@ enum {
 typedef struct dm_drag_rules {
     uint32_t struct_size;
     uint32_t flags; /* DM_RULE_* */
-    /* Joint values, rising, at which the part catches as at detents, as hard as feel.detent_pull says. With feel.detent
-     * above 0 they are refused. */
+    /* Joint values, rising, at which the part catches as at detents, with the strength of feel.detent_pull. With
+     * feel.detent above 0 they are refused. */
     const float* snaps;
     uint32_t snap_count; /* DM_MAX_SNAPS at most */
-    /* Joint value that a snap value reaches to either side; 0 = half-way to the next one, or a twentieth of the range
-     * where there is none. */
+    /* Distance, in joint value, from which a snap value catches the part, to either side; 0 = half-way to the next one,
+     * or a twentieth of the range where there is none. */
     float snap_reach;
     float open_share; /* share of the range from rest beyond which DM_EVENT_OPENED comes; 0 = 0.1 */
     /* Share of the range from rest within which DM_EVENT_CLOSED comes; 0 = 0.02. It is less than open_share. A part
@@ -687,7 +688,7 @@ typedef struct dm_drag_rules {
     /* Share of the range: a released part nearer to rest than this closes by itself; 0 = none does. */
     float auto_close_share;
     float auto_close_time; /* seconds in which it closes; 0 = 0.25 */
-    float close_delay;     /* seconds from the release until feel.return_time brings the part back */
+    float close_delay;     /* seconds from the release until the part starts to spring back by feel.return_time */
     /* Share of the range: a released part nearer to rest than this falls to rest, and any other to its open end, as a
      * hatch does; 0 = it does not fall. */
     float tip_share;
@@ -716,12 +717,12 @@ typedef struct dm_link {
     uint32_t driver, driven; /* part ids */
     int32_t kind;            /* DM_LINK_* */
     uint32_t flags;          /* DM_LINK_BOTH_WAYS */
-    /* Value of the driven part a value of the driver; 0 = 1. The two may be rad and host units, as in a rack and
-     * pinion. */
+    /* How far the driven part's value changes for each unit of the driver's; 0 = 1. The two may be rad and host units,
+     * as in a rack and pinion. */
     float ratio;
     float offset; /* value of the driven part while the driver is at `from` */
-    /* Value of the driver from which on the link acts, on that side of rest. With 0, DM_LINK_FREES and DM_LINK_HOLDS
-     * count it as reached at rest. */
+    /* Value of the driver from which on the link acts, on that side of rest. A `from` of 0 counts as reached at rest
+     * for DM_LINK_FREES and DM_LINK_HOLDS. */
     float from;
 } dm_link;
 
@@ -760,8 +761,8 @@ enum {
 
 typedef struct dm_hand {
     /* DM_HAND_*. RATE, STEP and VALUE stay inside the limits. RATE and STEP open the part with an amount above 0. A
-     * limit that the library estimated stops them first, and gives afterwards, as it gives to a pull: to a RATE after
-     * 0.25 s at the limit, to a STEP at the next one. */
+     * limit that the library estimated stops them first. It gives afterwards, as it gives to a pull: to a RATE after
+     * 0.25 s at the limit, to a STEP with the next step. */
     int32_t kind;
     dm_ray ray;    /* object frame, scaled with dm_drag_desc.scale */
     dm_vec3 point; /* object frame, scaled with dm_drag_desc.scale */
@@ -781,20 +782,20 @@ typedef struct dm_drag_input {
     uint32_t struct_size;
     uint32_t flags; /* DM_INPUT_* */
     dm_hand hand;
-    /* Another hand on the part, by ray or point; DM_HAND_NONE = none. Each hand counts as far as it can move the part.
-     * It comes and goes without a jump. */
+    /* Another hand on the part, by ray or point; DM_HAND_NONE = none. The hand that can move the part farther counts
+     * more. The second hand comes and goes without a jump. */
     dm_hand second;
     float handles[2]; /* joint values of the handles of a latch, from their drags or links */
     /* Joint values between which the host's world leaves the part room in this update, infinite on a free side. There
-     * are none when both are equal, unless DM_INPUT_BOUNDS is set. The part stops there softly, goes on when it is
+     * are no bounds when both are equal, unless DM_INPUT_BOUNDS is set. The part stops there softly, goes on when it is
      * free, and is pushed back when it lies beyond. */
     float lower, upper;
 } dm_drag_input;
 
 enum {
-    DM_DRAG_HELD = 0,     /* it follows the pointer */
-    DM_DRAG_RELEASED = 1, /* it moves by itself after dm_drag_release */
-    DM_DRAG_AT_REST = 2   /* it has come to where it goes */
+    DM_DRAG_HELD = 0,     /* the part follows the pointer */
+    DM_DRAG_RELEASED = 1, /* the part moves by itself after dm_drag_release */
+    DM_DRAG_AT_REST = 2   /* the part has come to where it goes */
 };
 
 /* What has happened to the part since the update before, as bits of dm_drag_state.events. */
@@ -817,7 +818,8 @@ enum {
     DM_EVENT_LET_GO = 8192  /* it was let go of at dm_drag_rules.break_distance */
 };
 
-/* How a part with dm_drag_rules stands after an update, or at its beginning, as bits of dm_drag_state.status. */
+/* What holds a part with dm_drag_rules, and whether it counts as open, after an update or when its drag begins, as bits
+ * of dm_drag_state.status. */
 enum {
     DM_STATUS_LATCHED = 1, /* the latch holds it */
     DM_STATUS_LOCKED = 2,  /* DM_RULE_LOCKED or DM_INPUT_LOCKED holds it */
@@ -844,7 +846,7 @@ typedef struct dm_drag_state {
     /* Speed with which it met a limit or was blocked, joint value a second; 0 without such an event, or without
      * dm_drag_desc.rules. */
     float impact;
-    uint32_t status; /* DM_STATUS_*: what holds the part, and how it stands; 0 without dm_drag_desc.rules */
+    uint32_t status; /* DM_STATUS_*: what holds the part, and whether it is open; 0 without dm_drag_desc.rules */
     /* Probability that the joint in force is right, 0 to 1: the one number to show. A pull of one kind from one side
      * never makes it 1. */
     float joint_confidence;
@@ -893,7 +895,7 @@ enum {
 typedef struct dm_release_desc {
     uint32_t struct_size;
     int32_t intent;    /* DM_GO_* */
-    float duration;    /* seconds from here to the end; 0 = by how far and how fast the part goes */
+    float duration;    /* seconds from here to the end; 0 = the library takes it from the part's way and speed */
     uint32_t seed;     /* seed of the DQ-VAE, as dm_motion_desc.seed */
     uint32_t flags;    /* DM_RELEASE_* */
     dm_vec3 away_from; /* a place such as the player's, object frame, scaled with dm_drag_desc.scale */
@@ -988,11 +990,11 @@ DM_SIZED_STRUCTS(DM_DEFAULT)
 
 /* ---- functions: the library -------------------------------------------------------------------------------------- */
 
-/* Returns the name of a result, such as "DM_ERROR_EMPTY_MASK", or "DM_ERROR_UNKNOWN" for a number that is none. It
+/* Returns the name of a result, such as "DM_ERROR_EMPTY_MASK", or "DM_ERROR_UNKNOWN" for a number that is not one. It
  * never returns NULL. [any-thread] */
 DM_API const char* DM_CALL dm_result_string(dm_result result);
 
-/* Returns the version of the library in use, as DM_VERSION has it. [any-thread] */
+/* Returns the version of the library in use, as a number like DM_VERSION. [any-thread] */
 DM_API uint32_t DM_CALL dm_version(void);
 
 /* Returns the function table of an interface id, or NULL for an unknown one. "dm.core/1" gives a const dm_core_1*.
@@ -1026,9 +1028,9 @@ DM_API dm_result DM_CALL dm_model_unload(dm_context* context, dm_model model);
 
 /* ---- functions: objects and their joints ------------------------------------------------------------------------- */
 
-/* Finds the part that a point of the surface belongs to, where no mask names it. Writes 1 to out_face_ids for every
- * triangle that moves with it and 0 for the others; as part ids per face they can go into a dm_mesh_desc unchanged. The
- * call takes up to tens of milliseconds, and a second for tens of thousands of loose pieces; its time grows at most
+/* Finds the part that a point of the surface belongs to, in a mesh whose parts are not known. Writes 1 to out_face_ids
+ * for every triangle of the part and 0 for the others; as part ids per face they can go into a dm_mesh_desc unchanged.
+ * The call takes up to tens of milliseconds, and a second for tens of thousands of loose pieces; its time grows at most
  * linearly with their number.
  * mesh->part_ids: pieces known to be rigid, such as the nodes of a scene; the grabbed one moves, together with what is
  * fastened to it alone. With NULL, or with one piece, the part is put together from the mesh's sheets of surface.
@@ -1046,8 +1048,8 @@ DM_API dm_result DM_CALL dm_object_prepare(dm_context* context, const dm_object_
 
 /* Writes a prepared object as .dmo bytes, which are versioned, checksummed and little-endian. Call it with a NULL
  * buffer to learn the size. out_size gets the bytes needed or written, also with BUFFER_TOO_SMALL. Triangles are stored
- * with trees of the library's own, so that loading builds none; where the object has other trees, each call builds
- * them. [exclusive object] */
+ * with trees of the library's own, so that loading builds none; where the object has other trees, each call builds the
+ * library's. [exclusive object] */
 DM_API dm_result DM_CALL dm_object_save(dm_context* context, dm_object object, void* buffer, size_t capacity,
                                         size_t* out_size);
 
@@ -1098,16 +1100,16 @@ DM_API dm_result DM_CALL dm_object_set_joint(dm_context* context, dm_object obje
 DM_API dm_result DM_CALL dm_object_reset_joint(dm_context* context, dm_object object, uint32_t part_id);
 
 /* Replaces all links between parts of an object by copies of these. count: 0, which removes all, to DM_MAX_LINKS. A
- * saved object does not hold links. Errors: INVALID_ARGUMENT also when a part is moved by two drivers, or by itself
- * over others; NOT_FOUND. [exclusive object] */
+ * saved object does not hold links. Errors: INVALID_ARGUMENT also when two drivers move one part, or a part moves
+ * itself through other links; NOT_FOUND. [exclusive object] */
 DM_API dm_result DM_CALL dm_object_set_links(dm_context* context, dm_object object, const dm_link* links,
                                              uint32_t count);
 
 /* Moves everything that is linked with a part that has moved. inout_values: the joint values of one instance, one a
- * part, in the order of dm_object_get_part. The value of the part itself changes when a driver of it is at its limit
- * (dm_drag_override). out_held: gets 1 for each part that links hold where it is (DM_INPUT_LOCKED), else 0; may be
- * NULL. count: the number of parts, which is the length of both. The limits are those of the joints in force, for the
- * unscaled instance. [frame] */
+ * part, in the order of dm_object_get_part. The value of the moved part itself changes too when a driver of it is at
+ * its limit; dm_drag_override takes that value. out_held: gets 1 for each part that links hold where it is
+ * (DM_INPUT_LOCKED), else 0; may be NULL. count: the number of parts, which is the length of both. The limits are those
+ * of the joints in force, for the unscaled instance. [frame] */
 DM_API dm_result DM_CALL dm_object_follow_links(dm_context* context, dm_object object, uint32_t part_id,
                                                 float* inout_values, uint8_t* out_held, uint32_t count);
 
@@ -1151,14 +1153,15 @@ DM_API dm_result DM_CALL dm_asset_make_object(dm_context* context, dm_asset asse
 
 /* ---- functions: joints as values --------------------------------------------------------------------------------- */
 
-/* Writes the pose of a joint at a value, from rest, in the frame of the joint. The axis may have any length, here and
- * in the functions below. [frame] */
+/* Writes the pose of a joint at a value, from rest, in the frame in which the joint is given. The axis may have any
+ * length, here and in the functions below. [frame] */
 DM_API dm_result DM_CALL dm_joint_pose(const dm_joint* joint, float value, dm_pose* out_pose);
 
 /* Inverts dm_joint_pose: writes the value at which the joint comes nearest to a pose. out_angle_error gets the angle
- * between both poses, rad. out_distance_error gets the distance of the joint's origin under both, host units. Both may
- * be NULL. Of values one turn apart, the answer is the one inside the limits, or else the one nearest to 0; for a
- * screw, its advance decides. Errors: NOT_FINITE when an answer is beyond a float's range. [frame] */
+ * between both poses, rad. out_distance_error gets the distance between the places of the joint's origin under both,
+ * host units. Both may be NULL. Of values one turn apart, the answer is the one inside the limits, or else the one
+ * nearest to 0; for a screw, its advance decides. Errors: NOT_FINITE when an answer is beyond a float's range.
+ * [frame] */
 DM_API dm_result DM_CALL dm_joint_value(const dm_joint* joint, const dm_pose* pose, float* out_value,
                                         float* out_angle_error, float* out_distance_error);
 
@@ -1202,8 +1205,8 @@ DM_API dm_result DM_CALL dm_motion_destroy(dm_context* context, dm_motion motion
 DM_API dm_result DM_CALL dm_drag_begin(dm_context* context, const dm_drag_desc* desc, dm_drag* out_drag);
 
 /* Advances a drag by dt seconds. The grabbed point follows the pointer's ray (object frame, scaled with
- * dm_drag_desc.scale) as closely as the joint allows. Pass the ray that grabbed the part first: by how much it misses
- * the grab point, at most 0.032 rad, is kept for the whole drag, so that the part does not move before the pointer
+ * dm_drag_desc.scale) as closely as the joint allows. Pass the ray that grabbed the part first. The whole drag keeps
+ * the angle by which this ray misses the grab point, up to 0.032 rad, so that the part does not move before the pointer
  * does. A dt from -1e-4 to 0, as clocks round it, counts as 0. After dm_drag_release the part moves by itself, and ray
  * may be NULL. out_state->struct_size must be set. [frame] */
 DM_API dm_result DM_CALL dm_drag_update(dm_context* context, dm_drag drag, const dm_ray* ray, float dt,

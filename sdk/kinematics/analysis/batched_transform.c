@@ -36,20 +36,37 @@ void dmi_batched_transform_prismatic(const float axis[3], const float (*points)[
         for (int k = 0; k < 3; k++) out->base[k][i] = points[i][k];
 }
 
-static void distances_scalar(const dmi_batched_transform* transform, float cosine, float sine, const float along[3],
-                             const dmi_distance_grid* grid, float out[DMI_POINT_BATCH]) {
-    float at[3][DMI_POINT_BATCH];
+/* The place that all points of a transform move to. */
+typedef struct place {
+    float cosine, sine, along[3];
+} place;
+
+static void move_points(const dmi_batched_transform* t, const place* to, float at[3][DMI_POINT_BATCH]) {
     for (int k = 0; k < 3; k++)
-        for (uint32_t i = 0; i < transform->count; i++)
-            at[k][i] =
-                transform->base[k][i] + cosine * transform->radial[k][i] + sine * transform->tangent[k][i] + along[k];
+        for (uint32_t i = 0; i < t->count; i++)
+            at[k][i] = t->base[k][i] + to->cosine * t->radial[k][i] + to->sine * t->tangent[k][i] + to->along[k];
+}
+
+static void distances_scalar(const dmi_batched_transform* transform, const place* to, const dmi_distance_grid* grid,
+                             float* out) {
+    float at[3][DMI_POINT_BATCH];
+    move_points(transform, to, at);
     dmi_distance_grid_distances(grid, (const float(*)[DMI_POINT_BATCH])at, transform->count, out);
+}
+
+static void meetings_scalar(const dmi_batched_transform* transform, const place* to, const dmi_distance_grid* grid,
+                            int32_t* out) {
+    float at[3][DMI_POINT_BATCH];
+    move_points(transform, to, at);
+    for (uint32_t i = 0; i < transform->count; i++) {
+        const float point[3] = {at[0][i], at[1][i], at[2][i]};
+        out[i] = dmi_distance_grid_holds(grid, point);
+    }
 }
 
 #if defined(__x86_64__)
 
 #define AVX2 DMI_TARGET("avx2")
-#define AVX2_LANES 8 /* floats of a register */
 
 /* Returns a coordinate in cells, clamped into the grid. Adds the square of the clamped distance where it exceeds a
  * cell. */
@@ -62,38 +79,82 @@ AVX2 static inline __m256 clamp_to_cells(__m256 x, float low, float per_cell, fl
     return inside;
 }
 
-/* Does the same operations in the same order on AVX2_LANES points at a time, so that the result has the same bits. */
-AVX2 static void distances_avx2(const dmi_batched_transform* transform, float cosine, float sine, const float along[3],
-                                const dmi_distance_grid* grid, float out[DMI_POINT_BATCH]) {
-    const __m256 c = _mm256_set1_ps(cosine), s = _mm256_set1_ps(sine);
-    for (uint32_t i = 0; i < transform->count; i += AVX2_LANES) {
-        __m256 outside = _mm256_setzero_ps();
-        __m256i index = _mm256_setzero_si256();
-        for (int k = 2; k >= 0; k--) {
-            const __m256 radial = _mm256_mul_ps(c, _mm256_loadu_ps(&transform->radial[k][i]));
-            const __m256 tangent = _mm256_mul_ps(s, _mm256_loadu_ps(&transform->tangent[k][i]));
-            const __m256 turned =
-                _mm256_add_ps(_mm256_add_ps(_mm256_loadu_ps(&transform->base[k][i]), radial), tangent);
-            const __m256 x = _mm256_add_ps(turned, _mm256_set1_ps(along[k]));
-            const __m256 inside = clamp_to_cells(x, grid->low[k], grid->per_cell, (float)(grid->size[k] - 1), &outside);
-            index = _mm256_add_epi32(_mm256_mullo_epi32(index, _mm256_set1_epi32(grid->size[k])),
-                                     _mm256_cvttps_epi32(inside));
-        }
-        const __m256 gap = _mm256_mul_ps(_mm256_sqrt_ps(outside), _mm256_set1_ps(grid->cell));
-        _mm256_storeu_ps(&out[i], _mm256_add_ps(_mm256_i32gather_ps(grid->distance, index, sizeof(float)), gap));
+/* Moves DMI_TRANSFORM_BATCH points from the i-th on. Returns their cells, and the squared distances from the grid. Does
+ * the same operations in the same order as the scalar code, so that the result has the same bits. */
+AVX2 static inline __m256i move_to_cells(const dmi_batched_transform* t, uint32_t i, const place* to,
+                                         const dmi_distance_grid* grid, __m256* out_outside) {
+    const __m256 c = _mm256_set1_ps(to->cosine), s = _mm256_set1_ps(to->sine);
+    __m256i index = _mm256_setzero_si256();
+    *out_outside = _mm256_setzero_ps();
+    for (int k = 2; k >= 0; k--) {
+        const __m256 radial = _mm256_mul_ps(c, _mm256_loadu_ps(&t->radial[k][i]));
+        const __m256 tangent = _mm256_mul_ps(s, _mm256_loadu_ps(&t->tangent[k][i]));
+        const __m256 turned = _mm256_add_ps(_mm256_add_ps(_mm256_loadu_ps(&t->base[k][i]), radial), tangent);
+        const __m256 x = _mm256_add_ps(turned, _mm256_set1_ps(to->along[k]));
+        const __m256 at = clamp_to_cells(x, grid->low[k], grid->per_cell, (float)(grid->size[k] - 1), out_outside);
+        index = _mm256_add_epi32(_mm256_mullo_epi32(index, _mm256_set1_epi32(grid->size[k])), _mm256_cvttps_epi32(at));
+    }
+    return index;
+}
+
+/* Gathers squares of 16 bits from an array that has elements to spare. */
+AVX2 static inline __m256 gather_squares(const int16_t* squares, __m256i index) {
+    const __m256i pairs = _mm256_i32gather_epi32((const int32_t*)(const void*)squares, index, sizeof *squares);
+    return _mm256_cvtepi32_ps(_mm256_and_si256(pairs, _mm256_set1_epi32(0xffff))); /* literal: the lower half */
+}
+
+AVX2 static void distances_avx2(const dmi_batched_transform* transform, const place* to, const dmi_distance_grid* grid,
+                                float* out) {
+    const __m256 cell = _mm256_set1_ps(grid->cell);
+    for (uint32_t i = 0; i < transform->count; i += DMI_TRANSFORM_BATCH) {
+        __m256 outside;
+        const __m256i index = move_to_cells(transform, i, to, grid, &outside);
+        const __m256 inside = _mm256_mul_ps(_mm256_sqrt_ps(gather_squares(grid->square, index)), cell);
+        _mm256_storeu_ps(&out[i], _mm256_add_ps(inside, _mm256_mul_ps(_mm256_sqrt_ps(outside), cell)));
+    }
+}
+
+AVX2 static void meetings_avx2(const dmi_batched_transform* transform, const place* to, const dmi_distance_grid* grid,
+                               int32_t* out) {
+    for (uint32_t i = 0; i < transform->count; i += DMI_TRANSFORM_BATCH) {
+        __m256 outside;
+        const __m256i index = move_to_cells(transform, i, to, grid, &outside);
+        const __m256i words = _mm256_i32gather_epi32((const int32_t*)(const void*)grid->holding,
+                                                     _mm256_srli_epi32(index, DMI_HOLDING_SHIFT), sizeof(uint32_t));
+        const __m256i bit = _mm256_and_si256(index, _mm256_set1_epi32(DMI_HOLDING_MASK));
+        const __m256 within = _mm256_cmp_ps(outside, _mm256_setzero_ps(), _CMP_EQ_OQ);
+        const __m256i one = _mm256_and_si256(_mm256_castps_si256(within), _mm256_set1_epi32(1));
+        _mm256_storeu_si256((__m256i*)&out[i], _mm256_and_si256(_mm256_srlv_epi32(words, bit), one));
     }
 }
 
 #endif
 
+static place make_place(const dmi_batched_transform* transform, float cosine, float sine, float shift) {
+    const float* axis = transform->axis;
+    return (place){cosine, sine, {shift * axis[0], shift * axis[1], shift * axis[2]}};
+}
+
 void dmi_batched_transform_distances(const dmi_batched_transform* transform, float cosine, float sine, float shift,
                                      const dmi_distance_grid* grid, float out[DMI_POINT_BATCH]) {
-    const float along[3] = {shift * transform->axis[0], shift * transform->axis[1], shift * transform->axis[2]};
+    const place to = make_place(transform, cosine, sine, shift);
 #if defined(__x86_64__)
-    if (dmi_cpu_best_isa() != DMI_ISA_SCALAR && transform->count % AVX2_LANES == 0) {
-        distances_avx2(transform, cosine, sine, along, grid, out);
+    if (dmi_cpu_best_isa() != DMI_ISA_SCALAR && transform->count % DMI_TRANSFORM_BATCH == 0) {
+        distances_avx2(transform, &to, grid, out);
         return;
     }
 #endif
-    distances_scalar(transform, cosine, sine, along, grid, out);
+    distances_scalar(transform, &to, grid, out);
+}
+
+void dmi_batched_transform_meetings(const dmi_batched_transform* transform, float cosine, float sine, float shift,
+                                    const dmi_distance_grid* grid, int32_t out[DMI_POINT_BATCH]) {
+    const place to = make_place(transform, cosine, sine, shift);
+#if defined(__x86_64__)
+    if (dmi_cpu_best_isa() != DMI_ISA_SCALAR && transform->count % DMI_TRANSFORM_BATCH == 0) {
+        meetings_avx2(transform, &to, grid, out);
+        return;
+    }
+#endif
+    meetings_scalar(transform, &to, grid, out);
 }

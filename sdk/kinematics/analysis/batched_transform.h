@@ -12,6 +12,13 @@ typedef struct dmi_batched_transform {
     uint32_t count;
 } dmi_batched_transform;
 
+#define DMI_TRANSFORM_BATCH 8 /* points that the widest code moves at a time; other counts take the slow way */
+
+/* Returns a count rounded up to whole batches. */
+static inline uint32_t dmi_whole_batches(uint32_t count) {
+    return (count + DMI_TRANSFORM_BATCH - 1) / DMI_TRANSFORM_BATCH * DMI_TRANSFORM_BATCH;
+}
+
 /* Decompose the points about the axis (unit). count <= DMI_POINT_BATCH. */
 void dmi_batched_transform_revolute(const float axis[3], const float origin[3], const float (*points)[3],
                                     uint32_t count, dmi_batched_transform* out);
@@ -22,5 +29,9 @@ void dmi_batched_transform_prismatic(const float axis[3], const float (*points)[
  * along the axis. */
 void dmi_batched_transform_distances(const dmi_batched_transform* transform, float cosine, float sine, float shift,
                                      const dmi_distance_grid* grid, float out[DMI_POINT_BATCH]);
+
+/* Computes which of the moved points lie in a cell that holds a sample: 1, otherwise 0. */
+void dmi_batched_transform_meetings(const dmi_batched_transform* transform, float cosine, float sine, float shift,
+                                    const dmi_distance_grid* grid, int32_t out[DMI_POINT_BATCH]);
 
 #endif

@@ -1,7 +1,6 @@
 /* Builds the grid of samples and answers distance queries. */
 #include "kinematics/analysis/distance_grid.h"
 
-#include "kinematics/analysis/distance_transform.h"
 #include "math/linear3.h"
 
 #define MIN_SIDE 1e-6f       /* object sizes, of the grid's longest side: avoids cells without size */
@@ -18,16 +17,22 @@ static int32_t cell_of(const dmi_distance_grid* grid, const float point[3]) {
     return index;
 }
 
-/* Sorts the samples by cell (counting sort). */
+/* Sorts the samples by cell (counting sort), and marks the cells that hold one. */
 static dm_result sort_samples(dmi_arena* arena, uint32_t count, size_t cells, dmi_distance_grid* grid) {
+    const size_t holding_bytes = sizeof *grid->holding * ((cells >> DMI_HOLDING_SHIFT) + 1);
+    grid->holding = dmi_arena_push(arena, holding_bytes);
     int32_t* cell = dmi_arena_push(arena, sizeof *cell * (count + 1));
     grid->start = dmi_arena_push(arena, sizeof *grid->start * (cells + 2));
     grid->order = dmi_arena_push(arena, sizeof *grid->order * (count + 1));
-    if (cell == NULL || grid->start == NULL || grid->order == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    if (cell == NULL || grid->holding == NULL || grid->start == NULL || grid->order == NULL)
+        return DM_ERROR_OUT_OF_MEMORY;
     memset(grid->start, 0, sizeof *grid->start * (cells + 2));
+    memset(grid->holding, 0, holding_bytes);
     for (uint32_t i = 0; i < count; i++) {
         cell[i] = cell_of(grid, grid->samples[i]);
-        if (cell[i] >= 0) grid->start[cell[i] + 2]++, grid->count++;
+        if (cell[i] < 0) continue;
+        grid->start[cell[i] + 2]++, grid->count++;
+        grid->holding[cell[i] >> DMI_HOLDING_SHIFT] |= UINT32_C(1) << (cell[i] & DMI_HOLDING_MASK);
     }
     for (size_t c = 2; c < cells + 2; c++) grid->start[c] += grid->start[c - 1];
     for (uint32_t i = 0; i < count; i++)
@@ -48,10 +53,10 @@ dm_result dmi_distance_grid_make(dmi_arena* arena, const float (*samples)[3], ui
         out->size[k] = (int32_t)ceilf(dmi_max(high[k] - low[k], 0) / out->cell) + 1;
         cells *= (size_t)out->size[k];
     }
-    out->distance = dmi_arena_push(arena, sizeof *out->distance * (cells + DMI_TRANSFORM_LANES));
+    out->square = dmi_arena_push(arena, sizeof *out->square * (cells + DMI_TRANSFORM_LANES));
     out->in_row = dmi_arena_push(arena, sizeof *out->in_row * (cells + DMI_TRANSFORM_LANES));
     out->in_slab = dmi_arena_push(arena, sizeof *out->in_slab * (cells + DMI_TRANSFORM_LANES));
-    if (out->distance == NULL || out->in_row == NULL || out->in_slab == NULL ||
+    if (out->square == NULL || out->in_row == NULL || out->in_slab == NULL ||
         sort_samples(arena, count, cells, out) != DM_OK)
         return DM_ERROR_OUT_OF_MEMORY;
     dmi_distance_transform(out);
@@ -75,8 +80,8 @@ void dmi_distance_grid_distances(const dmi_distance_grid* grid, const float (*po
             index[i] = index[i] * size + (int32_t)inside;
         }
     }
-    for (uint32_t i = 0; i < count; i++) out[i] = grid->distance[index[i]];
-    for (uint32_t i = 0; i < count; i++) out[i] += sqrtf(outside[i]) * grid->cell;
+    for (uint32_t i = 0; i < count; i++) out[i] = (float)grid->square[index[i]];
+    for (uint32_t i = 0; i < count; i++) out[i] = sqrtf(out[i]) * grid->cell + sqrtf(outside[i]) * grid->cell;
 }
 
 /* ---- nearest sample ---- */

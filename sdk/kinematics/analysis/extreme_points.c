@@ -1,5 +1,5 @@
 /* Projects blocks of points onto all directions, several points at a time. */
-#include "kinematics/analysis/extreme_points.h"
+#include "kinematics/analysis/analysis_steps.h"
 
 #include "base/compiler.h"
 #include "math/elementary.h"

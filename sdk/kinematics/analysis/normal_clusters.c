@@ -1,5 +1,5 @@
 /* Clusters greedily: the normal with the most parallel ones takes all that are nearly parallel to it. */
-#include "kinematics/analysis/normal_clusters.h"
+#include "kinematics/analysis/analysis_steps.h"
 
 #include <stdbool.h>
 

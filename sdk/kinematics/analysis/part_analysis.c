@@ -3,10 +3,10 @@
 
 #include "base/progress_stages.h"
 #include "kinematics/analysis/analysis_steps.h"
-#include "kinematics/analysis/extreme_points.h"
 #include "math/elementary.h"
 #include "math/linear3.h"
 #include "math/place_hash.h"
+#include "mesh/surface_samples.h"
 
 #define MAX_VERTICES 32768    /* most vertices of the part; of more, about every n-th is used, by its place; by hand */
 #define MIN_DIAGONAL 1e-5f    /* object sizes: avoids a division by zero */
@@ -16,6 +16,9 @@
 #define BODY_CELLS 88         /* cells along the body grid's longest side: collisions need so many; by hand */
 #define PART_CELLS 56         /* cells along the part grid's longest side; by hand */
 #define PART_MARGIN 0.05f     /* margin of the part's distance grid, in part diagonals; by hand */
+#define NEAR_POINTS 8192      /* a power of two; by hand */
+#define MIN_NEAR_AREA 1e-9    /* object sizes squared: less counts as none; by hand */
+#define NEAR_SEED 91          /* arbitrary */
 
 /* Returns 1 for the parts that move with one, NULL without memory. */
 static uint8_t* mark_parts(dmi_arena* arena, const dmi_mesh* mesh, uint32_t part) {
@@ -65,6 +68,35 @@ static float (*part_vertices(dmi_arena* arena, const uint8_t* moving, dmi_part_a
         if (step == 1 || dmi_hash_place(at) % step == 0) dmi_copy3(at, out[(*out_count)++]);
     }
     return out;
+}
+
+static void add_cloud(const dmi_cloud* cloud, dmi_part_analysis* analysis) {
+    const size_t size = sizeof(float[3]) * DMI_CLOUD_NEAR;
+    memcpy(analysis->near_points, cloud->xyz + DMI_CLOUD_PART, size);
+    memcpy(analysis->near_normals, cloud->normal + DMI_CLOUD_PART, size);
+    analysis->near_count = DMI_CLOUD_NEAR;
+}
+
+/* Samples the body in the box low .. high evenly. moving: 1 for the parts that move. */
+static dm_result find_near(dmi_arena* arena, const uint8_t* moving, const dmi_cloud* cloud, const float low[3],
+                           const float high[3], dmi_part_analysis* analysis) {
+    const dmi_mesh* mesh = analysis->mesh;
+    analysis->near_points = dmi_arena_push(arena, sizeof(float[3]) * NEAR_POINTS);
+    analysis->near_normals = dmi_arena_push(arena, sizeof(float[3]) * NEAR_POINTS);
+    uint8_t* stays = dmi_arena_push(arena, mesh->part_count);
+    if (analysis->near_points == NULL || analysis->near_normals == NULL || stays == NULL) return DM_ERROR_OUT_OF_MEMORY;
+    for (uint32_t p = 0; p < mesh->part_count; p++) stays[p] = !moving[p];
+    dmi_bounds box;
+    dmi_copy3(low, box.low), dmi_copy3(high, box.high);
+    const double area = dmi_area_inside(mesh, stays, &box);
+    if (area > MIN_NEAR_AREA) {
+        analysis->near_count = NEAR_POINTS;
+        const dmi_surface surface = {mesh, stays, &box, area};
+        return dmi_surface_sample(arena->env, &surface, NEAR_SEED + analysis->part, NEAR_POINTS, analysis->near_points,
+                                  analysis->near_normals);
+    }
+    if (analysis->area_ratio > 0) add_cloud(cloud, analysis);
+    return DM_OK;
 }
 
 static dm_result make_grids(dmi_arena* arena, const float low[3], const float high[3], dmi_part_analysis* analysis) {
@@ -140,7 +172,7 @@ dm_result dmi_part_analysis_make(dmi_arena* arena, const dmi_mesh* mesh, const d
     out->area_ratio = area_ratio(mesh, moving);
 
     dm_result result = dmi_progress_tell(progress, DMI_STAGE_ANALYSE_VERTICES_TAKEN);
-    if (result == DM_OK) result = dmi_analysis_find_near(arena, moving_parts, cloud, low, high, out);
+    if (result == DM_OK) result = find_near(arena, moving_parts, cloud, low, high, out);
     if (result == DM_OK) result = make_grids(arena, low, high, out);
     if (result == DM_OK) result = dmi_analysis_find_contacts(arena, out);
     if (result != DM_OK) return result;

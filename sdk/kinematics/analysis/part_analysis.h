@@ -8,8 +8,6 @@
 #include "base/arena.h"
 #include "kinematics/analysis/bounding_box.h"
 #include "kinematics/analysis/distance_grid.h"
-#include "kinematics/analysis/normal_clusters.h"
-#include "kinematics/analysis/slippage.h"
 #include "mesh/cloud.h"
 
 #define DMI_ANALYSIS_POINTS 2048  /* surface points of the part: the cloud's part block */
@@ -18,6 +16,20 @@
 #define DMI_MAX_NORMAL_CLUSTERS 6 /* clusters of the part, and of the body near it; by hand */
 #define DMI_MOST_CLEARANCE 0.5f   /* sides: what lies farther than this is not told apart; by hand */
 #define DMI_WELD_TOLERANCE 1e-5f  /* object sizes, of the welded vertices; by hand */
+
+/* A cluster of parallel surface normals. */
+typedef struct dmi_normal_cluster {
+    float direction[3]; /* unit; its sign is arbitrary */
+    float share;        /* share of all normals, 0 .. 1 */
+} dmi_normal_cluster;
+
+/* The two rotations and the two translations under which a surface slides along itself best (slippage analysis, Gelfand
+ * and Guibas 2004). A residual is the root mean square normal speed of the surface for an angular velocity of 1, in
+ * root mean square radii, or a linear velocity of 1; 0: a perfect bearing or rail. */
+typedef struct dmi_slippage {
+    float turn_axis[2][3], turn_point[2][3], turn_residual[2];
+    float slide[2][3], slide_residual[2];
+} dmi_slippage;
 
 /* The part's points whose gap is below a limit. */
 typedef struct dmi_contact {

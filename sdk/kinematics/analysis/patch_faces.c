@@ -1,5 +1,5 @@
 /* Selects the largest faces by radix selection and copies them. */
-#include "kinematics/analysis/patch_faces.h"
+#include "kinematics/analysis/analysis_steps.h"
 
 #include <stdlib.h>
 

@@ -4,7 +4,6 @@
 
 #include "base/compiler.h"
 #include "kinematics/analysis/analysis_steps.h"
-#include "kinematics/analysis/patch_faces.h"
 #include "math/linear3.h"
 #include "math/place_hash.h"
 #include "mesh/connectivity.h"

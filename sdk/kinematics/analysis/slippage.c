@@ -1,5 +1,5 @@
 /* Minimises the mean square normal speed over angular and linear velocity with eigenvectors of 3 x 3 matrices. */
-#include "kinematics/analysis/slippage.h"
+#include "kinematics/analysis/analysis_steps.h"
 
 #include "math/elementary.h"
 #include "math/linear3.h"

@@ -1,5 +1,5 @@
 /* Looks for hardware among the patches of part and body, and among the part's points that touch the body. */
-#include "kinematics/features/axis_hardware.h"
+#include "kinematics/features/feature_groups.h"
 
 #include "math/elementary.h"
 #include "math/linear3.h"

@@ -3,7 +3,7 @@
 #ifndef DMI_FEATURES_KPP_ENSEMBLE_H
 #define DMI_FEATURES_KPP_ENSEMBLE_H
 
-#include "kinematics/features/kpp_candidate_scores.h"
+#include "kinematics/candidates/candidates.h"
 
 #define DMI_KPP_MEMBERS 4
 
@@ -17,6 +17,17 @@ typedef struct dmi_kpp_ensemble {
  * for dmi_kpp_net_forward. */
 bool dmi_kpp_ensemble_run(const dmi_kpp_net* net, dmi_isa isa, const dmi_cloud* cloud, const dmi_drag_hint* hint,
                           void* scratch, dmi_kpp_ensemble* out_ensemble);
+
+/* ---- scores of candidates ---- */
+
+/* KPP-Net's candidate-scoring head gives a log-likelihood for each candidate. Where two hinges are likely, regression
+ * answers their mean; the head can rate both. */
+
+/* Writes one network's log-likelihoods up to a constant. input, output: of dmi_kpp_net_forward for the same part and
+ * drag. */
+void dmi_kpp_candidate_scores(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_input* input,
+                              const dmi_kpp_output* output, const dmi_candidate* candidates, uint32_t count,
+                              float* out_scores);
 /* Writes log-likelihoods of candidates up to a constant: the mean of all members. */
 void dmi_kpp_ensemble_score(const dmi_kpp_net* net, dmi_isa isa, const dmi_kpp_ensemble* ensemble,
                             const dmi_candidate* candidates, uint32_t count, float out_scores[DMI_CANDIDATES_MAX]);

@@ -1,15 +1,15 @@
-/* Slippage: how far the part's surface and its contacts move along their normals. A joint's surfaces slide on
- * themselves, so that these speeds are near 0. */
+/* Slippage: how fast the part's surface and its contacts move along their normals. By the true joint, surfaces in
+ * contact slide along themselves, so these speeds are near 0. */
 #include "kinematics/features/feature_groups.h"
 #include "math/linear3.h"
 
 #define SURFACE_POINTS 96    /* points of the part; by hand */
 #define CONTACT_POINTS 40    /* points of a contact region, at most about twice as many; by hand */
-#define LEAST_CONTACT 5      /* points: a smaller region says nothing; by hand */
-#define ON_AXIS_RADIUS 0.05f /* diagonals: a point so far from the axis counts half as on it; by hand */
+#define LEAST_CONTACT 5      /* points; a smaller region counts as none; by hand */
+#define ON_AXIS_RADIUS 0.05f /* diagonals; a point at this distance from the axis counts half as on it; by hand */
 #define LEAST_SPEED 1e-9f    /* avoids a division by 0 */
 
-/* Returns the mean speed of the part's surface, and writes the slippage. */
+/* Returns the mean speed of the part's surface, and writes its slippage: the share of that speed along the normals. */
 static float surface_speed(const dmi_part_analysis* a, const dmi_candidate* c, float* out_slip) {
     float speed = 0, normal = 0;
     for (int i = 0; i < SURFACE_POINTS; i++) {

@@ -15,9 +15,7 @@ static const float step_sine[STEPS] = {0.059964006f, 0.099833417f, 0.14943813f, 
                                        0.60518641f,  0.71735609f,  0.84147098f, 0.93203909f, 0.98544973f};
 static const float step_share[STEPS] = {0.04f, 0.08f, 0.12f, 0.18f, 0.25f, 0.33f, 0.41f, 0.5f, 0.61f, 0.73f, 0.85f};
 
-/* Distances in cells of the body's grid, which are exact to a cell; by hand. */
-#define TOUCH_CELLS 2.1f /* nearer than this a point touches the body */
-#define HIT_CELLS 0.9f   /* nearer than this a point that was free has met it */
+#define TOUCH_CELLS 2.1f /* cells of the body's grid: nearer than this a point touches the body; by hand */
 
 typedef struct sweep {
     float hit[2][STEPS], detached[2][STEPS], touch[2][STEPS]; /* one way: along the joint; the other: against it */
@@ -25,8 +23,13 @@ typedef struct sweep {
 
 void dmi_sweep_features_begin(dmi_feature_context* context) {
     const dmi_part_analysis* a = context->analysis;
-    for (int i = 0; i < DMI_SWEPT_POINTS; i++)
-        context->free[i] = dmi_distance_grid_distance(&a->body_grid, a->points[i]) > TOUCH_CELLS * a->body_grid.cell;
+    uint32_t free = 0, held = DMI_SWEPT_POINTS;
+    for (int i = 0; i < DMI_SWEPT_POINTS; i++) {
+        const float limit = TOUCH_CELLS * a->body_grid.cell;
+        const bool is_free = dmi_distance_grid_distance(&a->body_grid, a->points[i]) > limit;
+        dmi_copy3(a->points[i], context->swept[is_free ? free++ : --held]);
+    }
+    context->free_count = free;
 }
 
 /* Returns the third smallest distance: a couple of points may lag behind a part that has left the body. */
@@ -42,6 +45,22 @@ static float third_smallest(const float* distance) {
     return near[2];
 }
 
+static float share_nearer(const float* distance, float limit) {
+    int32_t count = 0;
+    for (int i = 0; i < DMI_SWEPT_POINTS; i++) count += distance[i] < limit;
+    return (float)count / DMI_SWEPT_POINTS;
+}
+
+/* Counts the free points that have met the body by now. A point that has met it stays so. */
+static uint32_t add_hits(const int32_t* meets, uint32_t free_count, int32_t hit[DMI_SWEPT_POINTS]) {
+    uint32_t hits = 0;
+    for (uint32_t i = 0; i < free_count; i++) {
+        hit[i] |= meets[i];
+        hits += (uint32_t)hit[i];
+    }
+    return hits;
+}
+
 static void carry(const dmi_candidate* c, const float (*points)[3], dmi_batched_transform* out) {
     if (dmi_candidate_slides(c))
         dmi_batched_transform_prismatic(c->axis, points, DMI_SWEPT_POINTS, out);
@@ -49,33 +68,40 @@ static void carry(const dmi_candidate* c, const float (*points)[3], dmi_batched_
         dmi_batched_transform_revolute(c->axis, c->origin, points, DMI_SWEPT_POINTS, out);
 }
 
-static void sweep_part(const dmi_feature_context* context, const dmi_candidate* c, sweep* out) {
-    const dmi_part_analysis* a = context->analysis;
-    const dmi_distance_grid* body = &a->body_grid;
-    const float touch_limit = TOUCH_CELLS * body->cell, hit_limit = HIT_CELLS * body->cell;
-    float extent = 0;
-    for (int k = 0; k < 3; k++) extent += fabsf(dmi_dot3(c->axis, a->box.axes[k])) * context->cheap.side[k];
-    dmi_batched_transform moved;
-    carry(c, a->points, &moved);
-    for (int side = 0; side < 2; side++) {
-        const float sign = side == 0 ? 1.0f : -1.0f;
-        int32_t hit[DMI_SWEPT_POINTS] = {0}; /* a point that has met the body stays so */
-        for (int step = 0; step < STEPS; step++) {
-            float distance[DMI_POINT_BATCH];
-            const float shift = dmi_candidate_slides(c) ? step_share[step] * extent : 0;
-            dmi_batched_transform_distances(&moved, step_cosine[step], sign * step_sine[step], sign * shift, body,
-                                            distance);
-            int32_t hits = 0, touches = 0;
-            for (int i = 0; i < DMI_SWEPT_POINTS; i++) {
-                hit[i] |= context->free[i] & (distance[i] < hit_limit);
-                hits += hit[i];
-                touches += distance[i] < touch_limit;
-            }
-            out->hit[side][step] = (float)hits / DMI_SWEPT_POINTS;
-            out->touch[side][step] = (float)touches / DMI_SWEPT_POINTS;
-            if (step == MIDDLE || step == LONG) out->detached[side][step] = third_smallest(distance) / a->diagonal;
+/* Sweeps one way. A free point that moves into a cell of the body's surface has met it. */
+static void sweep_side(const dmi_feature_context* context, const dmi_candidate* c, float extent, int side,
+                       dmi_batched_transform* moved, sweep* out) {
+    const dmi_distance_grid* body = &context->analysis->body_grid;
+    const float sign = side == 0 ? 1.0f : -1.0f;
+    const uint32_t free_batches = dmi_whole_batches(context->free_count);
+    int32_t hit[DMI_SWEPT_POINTS] = {0};
+    uint32_t hits = 0;
+    for (int step = 0; step < STEPS; step++) {
+        const float cosine = step_cosine[step], sine = sign * step_sine[step];
+        const float shift = dmi_candidate_slides(c) ? sign * step_share[step] * extent : 0;
+        if (hits < context->free_count) {
+            int32_t meets[DMI_POINT_BATCH];
+            moved->count = free_batches;
+            dmi_batched_transform_meetings(moved, cosine, sine, shift, body, meets);
+            hits = add_hits(meets, context->free_count, hit);
         }
+        out->hit[side][step] = (float)hits / DMI_SWEPT_POINTS;
+        if (step != MIDDLE && step != LONG) continue;
+        float distance[DMI_POINT_BATCH];
+        moved->count = DMI_SWEPT_POINTS;
+        dmi_batched_transform_distances(moved, cosine, sine, shift, body, distance);
+        out->touch[side][step] = share_nearer(distance, TOUCH_CELLS * body->cell);
+        out->detached[side][step] = third_smallest(distance) / context->analysis->diagonal;
     }
+}
+
+static void sweep_part(const dmi_feature_context* context, const dmi_candidate* c, sweep* out) {
+    float extent = 0;
+    for (int k = 0; k < 3; k++)
+        extent += fabsf(dmi_dot3(c->axis, context->analysis->box.axes[k])) * context->cheap.side[k];
+    dmi_batched_transform moved;
+    carry(c, (const float(*)[3])context->swept, &moved);
+    for (int side = 0; side < 2; side++) sweep_side(context, c, extent, side, &moved, out);
 }
 
 /* Writes the numbers of both ways: the drag's way first, or the smaller number where there is no drag. */

@@ -1,5 +1,5 @@
 /* Compares the part and the body near it with their mirror images, by distance grids. */
-#include "kinematics/features/symmetry_features.h"
+#include "kinematics/features/feature_groups.h"
 
 #include "math/linear3.h"
 

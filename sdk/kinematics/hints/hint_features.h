@@ -1,9 +1,24 @@
-/* Features of a candidate joint against what the asset says. The weights of hint_weights.def count them. */
+/* What an asset says of a part beside its shape: names, the pivot of its node, which way is up. It is evidence, never
+ * truth. The features are those of a candidate joint against it; the weights of hint_weights.def count them. */
 #ifndef DMI_HINTS_HINT_FEATURES_H
 #define DMI_HINTS_HINT_FEATURES_H
 
+#include <stdbool.h>
+
 #include "kinematics/candidates/candidates.h"
-#include "kinematics/hints/asset_hints.h"
+#include "kinematics/hints/part_kind.h"
+
+/* The hints of one part, in the object-normalised frame. Zeros: the asset says nothing. */
+typedef struct dmi_asset_hints {
+    dmi_label_kind label;
+    float up[3];     /* unit */
+    bool has_pivot;  /* pivot is set */
+    bool has_axes;   /* pivot_axes is set */
+    bool is_set;     /* the asset's other pivots follow a rule, and this one does not */
+    bool is_default; /* the pivot lies where an export without pivots leaves it: at the file's origin */
+    float pivot[3];
+    float pivot_axes[3][3]; /* unit rows */
+} dmi_asset_hints;
 
 /* Features of a candidate that a kind of part makes likelier or not. Each is 0 or 1. Side: half the box's extent. */
 typedef enum dmi_kind_feature {

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "kinematics/hints/label_modifiers.h"
+#include "kinematics/hints/label_words.h"
 
 typedef enum dmi_part_kind {
 #define KIND(name, group, words) DMI_KIND_##name,

@@ -7,8 +7,6 @@
 #include "kinematics/features/kpp_ensemble.h"
 #include "kinematics/hints/hint_likelihood.h"
 #include "kinematics/inference/hypothesis_selection.h"
-#include "kinematics/inference/straight_pull.h"
-#include "kinematics/limits/closed_pose.h"
 #include "kinematics/limits/limits.h"
 #include "kinematics/limits/sweep.h"
 #include "kinematics/ranking/twin_leaves.h"
@@ -24,6 +22,14 @@
  * lacks. Fitted on the parts of 99 generated objects, each alone, and rounded. */
 #define ALONE_SLOPE 2.0f
 #define ALONE_OFFSET (-2.0f)
+
+/* What makes a drag a straight pull. */
+#define EXPLAINED 1e-3f  /* rad: the drag's angle as a feature, where a candidate explains the drag; by hand */
+#define LEAST_BEND 0.05f /* rad between the drag and the first movement; a smaller angle is a hand's error; by hand */
+/* Share of the part's farthest distance from the axis, from which on a hand pulls straight: it takes hold of the far
+ * end or a handle. A hand that holds nearer to the axis gives the exact drag of another joint (measured: slides that
+ * are dragged along the room). */
+#define FAR_OUT 0.9f
 
 typedef struct work {
     const dmi_inference_query* query;
@@ -116,6 +122,19 @@ static void rank_candidates(work* w) {
     dmi_ranker_probabilities(ranker(w), w->query->models.isa, (const float(*)[DMI_FEATURE_COUNT])w->features, w->count,
                              w->probability);
     weigh_by_evidence(w, w->probability);
+}
+
+bool dmi_straight_pull_read(const dmi_candidate* candidate, const float features[DMI_FEATURE_COUNT],
+                            const dmi_drag_hint* hint, dmi_drag_hint* out_hint) {
+    if (features[DMI_FEATURE_DRAG_ANGLE] > EXPLAINED || features[DMI_FEATURE_DRAG_REACH] < FAR_OUT) return false;
+    float way[3];
+    dmi_candidate_velocity(candidate, hint->point, way);
+    const float speed = dmi_max(dmi_length3(way), FLT_MIN), length = dmi_length3(hint->vector);
+    const float cosine = dmi_dot3(way, hint->vector) / dmi_max(speed * length, FLT_MIN);
+    if (dmi_acosf(dmi_max(dmi_min(cosine, 1), -1)) < LEAST_BEND) return false;
+    *out_hint = *hint;
+    for (int k = 0; k < 3; k++) out_hint->vector[k] = length / speed * way[k];
+    return true;
 }
 
 /* Finds the first movement that the drag means, where it is a straight pull of the likeliest joint by geometry alone.

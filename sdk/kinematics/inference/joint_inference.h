@@ -3,7 +3,7 @@
 #ifndef DMI_INFERENCE_JOINT_INFERENCE_H
 #define DMI_INFERENCE_JOINT_INFERENCE_H
 
-#include "kinematics/hints/asset_hints.h"
+#include "kinematics/hints/hint_features.h"
 #include "kinematics/inference/hypotheses.h"
 #include "kinematics/inference/joint_models.h"
 #include "kinematics/kpp/kpp_net.h"
@@ -33,5 +33,12 @@ typedef struct dmi_inference_query {
 /* Infers the joint. out_alternatives: gets what a pull may choose from beside the hypotheses; may be NULL. */
 dm_result dmi_joint_inference_run(dmi_env* env, const dmi_inference_query* query, dmi_hypotheses* out_hypotheses,
                                   dmi_alternatives* out_alternatives);
+
+/* Reads a straight pull, along a chord of a turn or along an axis of the room, as the first movement of that turn.
+ * Returns whether the drag is a straight pull of a candidate. It is one when the candidate explains it, as `features`
+ * say, although the dragged point starts to move another way, and when the hand holds the part far from the axis.
+ * out_hint becomes a drag along that other way, as long as the pull. */
+bool dmi_straight_pull_read(const dmi_candidate* candidate, const float features[DMI_FEATURE_COUNT],
+                            const dmi_drag_hint* hint, dmi_drag_hint* out_hint);
 
 #endif

@@ -1,5 +1,5 @@
 /* Finds a bound on the group's distances in a loop that vectorises, then sorts only the points within it. */
-#include "kinematics/kpp/farthest_point_sampling.h"
+#include "kinematics/kpp/kpp_input.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -33,14 +33,14 @@ static inline void squared_distances(const dmi_fps* g, uint32_t centre, float* d
         distances_of_lanes(g->x + i, g->y + i, g->z + i, from, distance + i, least);
 }
 
-/* Returns the DMI_FPS_GROUP-th smallest of the lanes' least distances: a bound within which at least DMI_FPS_GROUP
+/* Returns the DMI_KPP_GROUP-th smallest of the lanes' least distances: a bound within which at least DMI_KPP_GROUP
  * points lie, and few more. */
 static inline float bound_of(const float least[LANES]) {
     int32_t smaller[LANES] = {0};
     float limit = 0;
     for (int l = 0; l < LANES; l++)
         for (int k = 0; k < LANES; k++) smaller[k] += least[l] < least[k];
-    for (int l = 0; l < LANES; l++) limit = smaller[l] < DMI_FPS_GROUP && least[l] > limit ? least[l] : limit;
+    for (int l = 0; l < LANES; l++) limit = smaller[l] < DMI_KPP_GROUP && least[l] > limit ? least[l] : limit;
     return limit;
 }
 
@@ -50,18 +50,18 @@ static inline bool any_within(const float* restrict distance, float limit) {
     return any;
 }
 
-/* Finds the DMI_FPS_GROUP nearest points within the limit by insertion sort; `self` comes first. */
+/* Finds the DMI_KPP_GROUP nearest points within the limit by insertion sort; `self` comes first. */
 static inline void find_nearest(const float* distance, uint32_t count, float limit, uint32_t self,
-                                uint32_t out[DMI_FPS_GROUP]) {
-    float best[DMI_FPS_GROUP];
+                                uint32_t out[DMI_KPP_GROUP]) {
+    float best[DMI_KPP_GROUP];
     uint32_t filled = 1;
-    for (int m = 0; m < DMI_FPS_GROUP; m++) best[m] = -1, out[m] = self;
+    for (int m = 0; m < DMI_KPP_GROUP; m++) best[m] = -1, out[m] = self;
     for (uint32_t first = 0; first < count; first += LANES) {
         if (!any_within(distance + first, limit)) continue;
         for (uint32_t i = first; i < first + LANES; i++) {
             const float d = distance[i];
-            if (d > limit || i == self || (filled == DMI_FPS_GROUP && d >= best[DMI_FPS_GROUP - 1])) continue;
-            uint32_t at = filled < DMI_FPS_GROUP ? filled++ : DMI_FPS_GROUP - 1;
+            if (d > limit || i == self || (filled == DMI_KPP_GROUP && d >= best[DMI_KPP_GROUP - 1])) continue;
+            uint32_t at = filled < DMI_KPP_GROUP ? filled++ : DMI_KPP_GROUP - 1;
             for (; best[at - 1] > d; at--) best[at] = best[at - 1], out[at] = out[at - 1];
             best[at] = d, out[at] = i;
         }
@@ -94,8 +94,8 @@ static inline uint32_t find_farthest(const float* distance, uint32_t count, floa
     return at;
 }
 
-static inline uint32_t next_of(dmi_fps* g, uint32_t centre, uint32_t out_members[DMI_FPS_GROUP]) {
-    float distance[DMI_FPS_MAX_POINTS], least[LANES];
+static inline uint32_t next_of(dmi_fps* g, uint32_t centre, uint32_t out_members[DMI_KPP_GROUP]) {
+    float distance[DMI_KPP_POINTS], least[LANES];
     squared_distances(g, centre, distance, least);
     find_nearest(distance, g->count, bound_of(least), centre, out_members);
     return find_farthest(distance, g->count, g->min_square);
@@ -104,12 +104,12 @@ static inline uint32_t next_of(dmi_fps* g, uint32_t centre, uint32_t out_members
 #if defined(__x86_64__)
 /* Does the same operations with AVX2, without FMA, so that the result has the same bits. */
 DMI_TARGET("avx2")
-DMI_FLATTEN static uint32_t next_avx2(dmi_fps* g, uint32_t centre, uint32_t out_members[DMI_FPS_GROUP]) {
+DMI_FLATTEN static uint32_t next_avx2(dmi_fps* g, uint32_t centre, uint32_t out_members[DMI_KPP_GROUP]) {
     return next_of(g, centre, out_members);
 }
 #endif
 
-uint32_t dmi_fps_next(dmi_fps* sampling, uint32_t centre, uint32_t out_members[DMI_FPS_GROUP]) {
+uint32_t dmi_fps_next(dmi_fps* sampling, uint32_t centre, uint32_t out_members[DMI_KPP_GROUP]) {
 #if defined(__x86_64__)
     if (dmi_cpu_best_isa() != DMI_ISA_SCALAR) return next_avx2(sampling, centre, out_members);
 #endif

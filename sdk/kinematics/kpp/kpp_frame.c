@@ -1,7 +1,6 @@
 /* Computes the frame of KPP-Net's input. */
 #include "kinematics/kpp/kpp_frame.h"
 
-#include "kinematics/kpp/manhattan_frame.h"
 #include "math/elementary.h"
 
 #define MIN_RADIUS 1e-4f  /* object sizes: avoids a division by zero (docs/networks.md) */

@@ -56,4 +56,25 @@ void dmi_kpp_frame_make(const dmi_cloud* cloud, const dmi_kpp_subset* subset, co
  * large object keeps its scale. */
 void dmi_kpp_frame_point_in(const dmi_kpp_frame* frame, const float x[3], float out[3]);
 
+/* ---- manhattan_frame.c: a step of making the geometry ---- */
+
+/* A Manhattan frame (Straub et al. 2014) is the three perpendicular directions that most surface normals are parallel
+ * to. Joint axes of manufactured objects are mostly parallel to one of them. */
+
+/* Unit normals in one block or two. */
+typedef struct dmi_normals {
+    const float (*first)[3];
+    uint32_t first_count;
+    const float (*second)[3];
+    uint32_t second_count;
+} dmi_normals;
+
+/* Computes a start for the fit: the eigenvectors (rows) of the sum of n n^T over the normals, largest eigenvalue first.
+ */
+void dmi_manhattan_frame_guess(const dmi_normals* normals, float out_axes[3][3]);
+
+/* Rotates the perpendicular unit rows `axes` to fit the normals near them. Returns the share of normals within 8
+ * degrees of an axis, 0 .. 1. */
+float dmi_manhattan_frame_fit(const dmi_normals* normals, float axes[3][3]);
+
 #endif

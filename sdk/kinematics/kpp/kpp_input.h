@@ -3,13 +3,12 @@
 #ifndef DMI_KPP_KPP_INPUT_H
 #define DMI_KPP_KPP_INPUT_H
 
-#include "kinematics/kpp/farthest_point_sampling.h"
 #include "kinematics/kpp/kpp_frame.h"
 
-#define DMI_KPP_GROUP DMI_FPS_GROUP /* points of a group */
-#define DMI_KPP_GLOBAL_GROUPS 48    /* groups of part and body together (docs/networks.md) */
-#define DMI_KPP_LOCAL_GROUPS 24     /* groups of the part alone (docs/networks.md) */
-#define DMI_KPP_DIRECTIONS 9        /* the part's frame, the body's frame, the part's principal directions */
+#define DMI_KPP_GROUP 16         /* points of a group (docs/networks.md) */
+#define DMI_KPP_GLOBAL_GROUPS 48 /* groups of part and body together (docs/networks.md) */
+#define DMI_KPP_LOCAL_GROUPS 24  /* groups of the part alone (docs/networks.md) */
+#define DMI_KPP_DIRECTIONS 9     /* the part's frame, the body's frame, the part's principal directions */
 
 /* Channels of a point, in the frame: the paper's ten (§3.5), then seven more. */
 enum {
@@ -52,5 +51,21 @@ typedef struct dmi_kpp_input {
 void dmi_kpp_input_make(const dmi_cloud* cloud, uint32_t subset, const dmi_drag_hint* hint, dmi_kpp_input* out_input);
 /* Computes the same input in a frame rotated by 180 degrees about its first axis. out_input may be input. */
 void dmi_kpp_input_flip(const dmi_kpp_input* input, dmi_kpp_input* out_input);
+
+/* ---- farthest_point_sampling.c: centres spread evenly over points, and the points nearest to each centre ---- */
+
+#define DMI_FPS_POINT_STEP 32 /* divides the number of points: lanes of the distance loops */
+
+/* Points, coordinates separated, and the squared distance of each from the nearest centre so far. */
+typedef struct dmi_fps {
+    const float *x, *y, *z; /* finite */
+    uint32_t count;
+    float min_square[DMI_KPP_POINTS];
+} dmi_fps;
+
+void dmi_fps_begin(const float* x, const float* y, const float* z, uint32_t count, dmi_fps* out);
+/* Finds the group of a centre: itself, then its nearest points by distance, ties by index. Returns the next centre: the
+ * point farthest from all centres so far, of equals the first. */
+uint32_t dmi_fps_next(dmi_fps* sampling, uint32_t centre, uint32_t out_members[DMI_KPP_GROUP]);
 
 #endif

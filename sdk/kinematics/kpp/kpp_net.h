@@ -8,7 +8,7 @@
 #define DMI_KPP_TYPES 4              /* revolute, prismatic, screw, continuous: DM_JOINT_* minus 1 */
 #define DMI_KPP_LIMITS 5             /* turn lower, upper, slide lower, upper, pitch */
 #define DMI_KPP_CONTEXT 128          /* hidden units of the candidate-scoring head (docs/networks.md) */
-#define DMI_KPP_CANDIDATE_NUMBERS 21 /* features of a candidate joint, see kpp_candidate_scores.c */
+#define DMI_KPP_CANDIDATE_NUMBERS 21 /* features of a candidate joint, see kpp_ensemble.c */
 #define DMI_KPP_SCORE_BATCH 32       /* most candidates of one call */
 
 typedef struct dmi_kpp_net dmi_kpp_net;

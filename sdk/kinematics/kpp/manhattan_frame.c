@@ -1,6 +1,6 @@
 /* Alternates between assigning normals to the nearest axis and rotating the axes to the means of the assigned normals,
  * as k-means does. */
-#include "kinematics/kpp/manhattan_frame.h"
+#include "kinematics/kpp/kpp_frame.h"
 
 #include <stdbool.h>
 

@@ -1,7 +1,8 @@
-/* Measures two ways of a slide. One is how far the faces that look the way it goes are from body faces that look at
- * them. The other ends where its front lies in one plane with body faces that look the same way: the fronts of closed
- * twins beside it, or the edges of its frame. Both must agree. */
-#include "kinematics/limits/closed_pose.h"
+/* Finds where a part that rests open is closed, by what it meets on its way to the body and what its front comes flush
+ * with. It measures two ways of a slide. One is how far the faces that look the way it goes are from body faces that
+ * look at them. The other ends where its front lies in one plane with body faces that look the same way: the fronts of
+ * closed twins beside it, or the edges of its frame. Both must agree. */
+#include "kinematics/limits/limits.h"
 
 #include <float.h>
 

@@ -1,5 +1,5 @@
 /* Limits of joints: how far a joint goes from rest before the part meets the body. Where nothing stops it, a usual
- * opening is the limit. */
+ * opening is the limit. A part may rest open; its closed pose is a limit then. */
 #ifndef DMI_LIMITS_LIMITS_H
 #define DMI_LIMITS_LIMITS_H
 
@@ -21,5 +21,10 @@ void dmi_limits_face_room(const dmi_part_analysis* analysis, dm_joint* joint);
 void dmi_limits_set(const dmi_part_analysis* analysis, const dmi_prediction* prediction, int with_drag,
                     const dmi_limit_network* network, dmi_isa isa, const float* const* features, dm_joint* joints,
                     uint32_t count);
+
+/* closed_pose.c: finds the value at which a sliding part is closed, where that is not rest. Returns false where it
+ * rests closed, and where the shape does not tell: it turns, it is small, nothing stops it or both sides do, or its
+ * front comes flush with nothing where it is stopped. joint: object-normalised frame; its limits are not used. */
+bool dmi_closed_pose_find(const dmi_part_analysis* analysis, const dm_joint* joint, float* out_value);
 
 #endif

@@ -8,30 +8,35 @@
 #define STOPPED 0.03f      /* share of the free points that must meet the body; by hand */
 #define JAMMED 0.15f       /* share that no gap or thin shell explains; by hand */
 #define TOUCH_CELLS 2.1f   /* cells of the body's grid; a point that is nearer touches the body at rest; by hand */
-#define HIT_CELLS 0.9f     /* cells; a free point that is nearer has met the body; by hand */
 #define LEAST_EXTENT 0.01f /* least extent along the axis, object sizes; by hand */
 #define ROUND_TURNS 3      /* turns at which roundness is measured, a third of the points each … */
 #define FIRST_ROUND 0.4f   /* … rad; by hand: no fraction of a turn … */
 #define NEXT_ROUND 2.1f    /* … rad */
 
-/* Writes the points' distances from a grid's samples at a value of the joint. */
-static void distances_at(const dmi_sweep* s, float value, const dmi_distance_grid* grid, float out[DMI_SWEEP_POINTS]) {
-    if (dmi_sweep_slides(s)) {
-        dmi_batched_transform_distances(&s->moved, 1, 0, value, grid, out);
-        return;
-    }
-    const float advance = s->joint->type == DM_JOINT_SCREW ? s->joint->pitch * value : 0;
-    const dmi_circlef at = dmi_circle_atf(value);
-    dmi_batched_transform_distances(&s->moved, at.cosine, at.sine, advance, grid, out);
+/* Returns the cosine and the sine of the joint's angle at a value. */
+static dmi_circlef turn_at(const dmi_sweep* s, float value) {
+    return dmi_sweep_slides(s) ? (dmi_circlef){.cosine = 1, .sine = 0} : dmi_circle_atf(value);
 }
 
-/* Returns the share of the free points that are inside the body's cells at a value. */
+/* Returns the shift along the joint's axis at a value. */
+static float shift_at(const dmi_sweep* s, float value) {
+    if (dmi_sweep_slides(s)) return value;
+    return s->joint->type == DM_JOINT_SCREW ? s->joint->pitch * value : 0;
+}
+
+/* Writes the points' distances from a grid's samples at a value of the joint. */
+static void distances_at(const dmi_sweep* s, float value, const dmi_distance_grid* grid, float out[DMI_SWEEP_POINTS]) {
+    const dmi_circlef turn = turn_at(s, value);
+    dmi_batched_transform_distances(&s->moved, turn.cosine, turn.sine, shift_at(s, value), grid, out);
+}
+
+/* Returns the share of the free points that are in cells of the body's surface at a value. */
 static float blocked_share(const dmi_sweep* s, float value) {
-    float distance[DMI_SWEEP_POINTS];
-    distances_at(s, value, &s->analysis->body_grid, distance);
-    const float limit = HIT_CELLS * s->analysis->body_grid.cell;
-    int32_t hits = 0;
-    for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++) hits += s->free[i] & (distance[i] < limit);
+    int32_t meets[DMI_SWEEP_POINTS], hits = 0;
+    const dmi_circlef turn = turn_at(s, value);
+    dmi_batched_transform_meetings(&s->moved_free, turn.cosine, turn.sine, shift_at(s, value), &s->analysis->body_grid,
+                                   meets);
+    for (int32_t i = 0; i < s->free_count; i++) hits += meets[i];
     return s->free_count > 0 ? (float)hits / (float)s->free_count : 0;
 }
 
@@ -68,25 +73,39 @@ float dmi_sweep_roundness(const dmi_sweep* s) {
     return mean / s->analysis->diagonal;
 }
 
+/* Counts the points that do not touch the body at rest. Writes these first, then the others. */
+static int32_t sort_free_first(const dmi_part_analysis* a, float out_points[DMI_SWEEP_POINTS][3]) {
+    int32_t free = 0, held = DMI_SWEEP_POINTS;
+    for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++) {
+        const float distance = dmi_distance_grid_distance(&a->body_grid, a->points[i]);
+        const bool is_free = distance > TOUCH_CELLS * a->body_grid.cell;
+        dmi_copy3(a->points[i], out_points[is_free ? free++ : --held]);
+    }
+    return free;
+}
+
+static void carry(const dm_joint* joint, const float (*points)[3], uint32_t count, dmi_batched_transform* out) {
+    const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
+    const float origin[3] = {joint->origin.x, joint->origin.y, joint->origin.z};
+    if (joint->type == DM_JOINT_PRISMATIC)
+        dmi_batched_transform_prismatic(axis, points, count, out);
+    else
+        dmi_batched_transform_revolute(axis, origin, points, count, out);
+}
+
 void dmi_sweep_make(const dmi_part_analysis* analysis, const dm_joint* joint, dmi_sweep* out) {
     const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
     dmi_copy3((const float[]){joint->origin.x, joint->origin.y, joint->origin.z}, out->origin);
     out->analysis = analysis;
     out->joint = joint;
-    if (joint->type == DM_JOINT_PRISMATIC)
-        dmi_batched_transform_prismatic(axis, analysis->points, DMI_SWEEP_POINTS, &out->moved);
-    else
-        dmi_batched_transform_revolute(axis, out->origin, analysis->points, DMI_SWEEP_POINTS, &out->moved);
+    float points[DMI_SWEEP_POINTS][3];
+    out->free_count = sort_free_first(analysis, points);
+    carry(joint, analysis->points, DMI_SWEEP_POINTS, &out->moved);
+    carry(joint, (const float(*)[3])points, dmi_whole_batches((uint32_t)out->free_count), &out->moved_free);
     float low, high;
     dmi_extents_along((const float(*)[3])analysis->extreme_points, analysis->extreme_point_count, &axis, 1, &low,
                       &high);
     out->extent = dmi_max(high - low, LEAST_EXTENT);
-    out->free_count = 0;
-    for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++) {
-        out->free[i] = dmi_distance_grid_distance(&analysis->body_grid, analysis->points[i]) >
-                       TOUCH_CELLS * analysis->body_grid.cell;
-        out->free_count += out->free[i];
-    }
 }
 
 /* ---- range that is free ---- */

@@ -17,10 +17,9 @@ typedef struct dmi_sweep {
     const dmi_part_analysis* analysis;
     const dm_joint* joint; /* inner frame */
     float origin[3];
-    dmi_batched_transform moved;
-    float extent;                   /* extent of the part along the axis, at least 0.01 */
-    int32_t free[DMI_SWEEP_POINTS]; /* 1: clear of the body at rest */
-    int32_t free_count;
+    dmi_batched_transform moved, moved_free; /* all points; those that are free, then some that are not */
+    float extent;                            /* extent of the part along the axis, at least 0.01 */
+    int32_t free_count;                      /* points that do not touch the body at rest */
 } dmi_sweep;
 
 void dmi_sweep_make(const dmi_part_analysis* analysis, const dm_joint* joint, dmi_sweep* out);

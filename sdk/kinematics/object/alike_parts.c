@@ -1,6 +1,6 @@
 /* Compares parts vertex by vertex, and their surroundings by moments of the surface in the near box, which do not
  * depend on how it is cut into triangles. */
-#include "kinematics/object/alike_parts.h"
+#include "kinematics/object/prepare_steps.h"
 
 #include <math.h>
 #include <string.h>

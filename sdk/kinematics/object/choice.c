@@ -1,5 +1,5 @@
 /* Shows hypotheses to the host, with the places that they take the part to. */
-#include "kinematics/object/choice.h"
+#include "kinematics/object/prepare_steps.h"
 
 #include "math/elementary.h"
 #include "math/linear3.h"

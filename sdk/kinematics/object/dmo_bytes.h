@@ -1,11 +1,12 @@
-/* Reads and writes little-endian numbers in a block of bytes. */
+/* Numbers of a .dmo file: reads and writes them, little-endian, in a block of bytes, and checks those that were read.
+ */
 #ifndef DMI_OBJECT_DMO_BYTES_H
 #define DMI_OBJECT_DMO_BYTES_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "dragmesh/dragmesh.h"
+#include "kinematics/object/object.h"
 
 /* A reader of a block of bytes. It reads zeros beyond the end, and sets `overrun`. */
 typedef struct dmi_dmo_reader {
@@ -42,5 +43,20 @@ void dmi_put_words(dmi_dmo_writer* w, const void* values, size_t count);
 void dmi_put_signed_halves(dmi_dmo_writer* w, const int16_t* values, size_t count);
 void dmi_put_floats(dmi_dmo_writer* w, const float* values, size_t count);
 void dmi_put_joint(dmi_dmo_writer* w, const dm_joint* joint);
+
+/* ---- dmo_check.c: checks of numbers that were read ---- */
+
+/* Object-normalised coordinates of a surface lie within 0.5, those of unused vertices within 1. */
+#define DMI_DMO_MAX_COORDINATE 1.0f
+
+/* Each of these functions returns whether the values are ones that an object may have. A NaN never is. */
+bool dmi_dmo_within(const float* values, size_t count, float limit); /* |values[i]| <= limit */
+bool dmi_dmo_valid_object(const dmi_object* object);                 /* frame, box and counts */
+bool dmi_dmo_valid_shape(const dmi_part* shape);
+bool dmi_dmo_valid_tree(const dmi_object* object);       /* ids rise, every chain of parents ends at the body */
+bool dmi_dmo_valid_joint_numbers(const dm_joint* joint); /* checks the numbers in whatever frame they are */
+/* Returns whether a joint is valid in the inner frame and in the host's, where its numbers may be too large. */
+bool dmi_dmo_valid_joint(const dmi_frame* frame, const dm_joint* inner);
+bool dmi_dmo_valid_alternative(const dmi_frame* frame, const dmi_alternative* alternative);
 
 #endif

@@ -1,5 +1,5 @@
 /* Checks numbers read from a .dmo file. */
-#include "kinematics/object/dmo_check.h"
+#include "kinematics/object/dmo_bytes.h"
 
 #include <float.h>
 #include <math.h>

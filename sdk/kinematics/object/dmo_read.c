@@ -5,7 +5,6 @@
 
 #include "base/env.h"
 #include "kinematics/object/dmo_bytes.h"
-#include "kinematics/object/dmo_check.h"
 #include "kinematics/object/dmo_format.h"
 #include "kinematics/object/object.h"
 #include "pick/backend.h"

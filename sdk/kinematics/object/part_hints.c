@@ -1,5 +1,5 @@
 /* Reads labels, pivots and the up direction into the inner frame. */
-#include "kinematics/object/part_hints.h"
+#include "kinematics/object/prepare_steps.h"
 
 #include <float.h>
 

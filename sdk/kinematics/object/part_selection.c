@@ -1,9 +1,7 @@
 /* Copies mesh and parts, and renumbers them. */
-#include "kinematics/object/part_selection.h"
+#include "kinematics/object/object.h"
 
 #include <string.h>
-
-#include "kinematics/object/object.h"
 
 /* Numbers the parts that are kept. The others get the number of the part that carries them. Returns how many are kept,
  * the body included. */

@@ -5,9 +5,7 @@
 
 #include "base/arena.h"
 #include "kinematics/analysis/part_analysis.h"
-#include "kinematics/object/alike_parts.h"
-#include "kinematics/object/choice.h"
-#include "kinematics/object/object.h"
+#include "kinematics/object/prepare_steps.h"
 #include "mesh/connectivity.h"
 #include "mesh/mesh_repair.h"
 

@@ -2,7 +2,13 @@
 #ifndef DMI_OBJECT_PREPARE_H
 #define DMI_OBJECT_PREPARE_H
 
-#include "kinematics/object/part_hints.h"
+#include "kinematics/object/object.h"
+
+/* What an object's descriptor says of all its parts. */
+typedef struct dmi_object_labels {
+    const char* label; /* NULL: none */
+    dm_vec3 up;        /* host object frame; 0: that of the axes */
+} dmi_object_labels;
 
 typedef struct dmi_prepare_desc {
     const dmi_axes* axes;

@@ -1,5 +1,5 @@
 /* Reads boosted trees, and walks rows of features down them side by side. */
-#include "kinematics/ranking/boosted_trees.h"
+#include "kinematics/ranking/ranker.h"
 
 #include <math.h>
 

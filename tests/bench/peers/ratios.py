@@ -102,8 +102,8 @@ def main(folder, page=None):
     facts = json.loads((folder / "facts.json").read_text())
     times, best = times_of(rows, folder)
     head = textwrap.fill(f"One thread of {machine()}, {best.upper()}, {facts['compiler']}, version {facts['version']} of "
-                         f"{facts['date']}. Processor time, medians of one run; of first uses the least of "
-                         f"{facts['processes']} processes.", LINE)
+                         f"{facts['date']}. Times are processor time, as medians of one run; those of first uses are the least "
+                         f"of {facts['processes']} processes.", LINE)
     parts = [head, *("\n".join(table) for table in (table_of_work(times), table_of_first_use(rows),
                                                     table_of_sizes(rows, facts["sizes"])))]
     text = "\n\n".join(parts)

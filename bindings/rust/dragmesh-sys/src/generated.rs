@@ -160,9 +160,9 @@ pub const DM_CLIP_NOT_RIGID: i32 = 1;
 pub const DM_ASSET_WITHOUT_CLIPS: i32 = 256;
 /// names and labels are ignored
 pub const DM_ASSET_WITHOUT_NAMES: i32 = 512;
-/// a clip moves a node as no joint does, or is not rigid
+/// a clip is not rigid, or no joint moves a node as it does
 pub const DM_ASSET_CLIP_LEFT_OUT: i32 = 1;
-/// It may move, but probably does not: \`moves\` is below dm\_asset\_desc.min\_moves. A body that almost certainly stays is no part.
+/// It may move, but probably does not: \`moves\` is below dm\_asset\_desc.min\_moves. A body that almost certainly stays is not listed as a part.
 pub const DM_ASSET_STAYS: i32 = 0;
 /// it moves by its joint
 pub const DM_ASSET_MOVES: i32 = 1;
@@ -208,11 +208,11 @@ pub const DM_INPUT_LOCKED: i32 = 1;
 pub const DM_INPUT_ASK: i32 = 2;
 /// lower and upper hold even when they are equal
 pub const DM_INPUT_BOUNDS: i32 = 4;
-/// it follows the pointer
+/// the part follows the pointer
 pub const DM_DRAG_HELD: i32 = 0;
-/// it moves by itself after dm\_drag\_release
+/// the part moves by itself after dm\_drag\_release
 pub const DM_DRAG_RELEASED: i32 = 1;
-/// it has come to where it goes
+/// the part has come to where it goes
 pub const DM_DRAG_AT_REST: i32 = 2;
 /// It has met its lower limit (within 0.5 % of the range), with the speed dm\_drag\_state.impact. The event comes again after the part was 2 % away. An estimated limit that has given does not count.
 pub const DM_EVENT_LIMIT_LOWER: i32 = 1;
@@ -575,7 +575,7 @@ impl Default for dm_drag_hint {
     }
 }
 
-/// Where an asset has the node or bone that moves a part, at rest. An artist may have put it on the hinge, or left it in the middle or at the file's origin, so it is evidence only. Leave it out, or say DM\_PIVOT\_DEFAULT, where all nodes of an asset have theirs by one rule: at one point, or at the same place of their boxes. A program has put them there, and an edge that happens to lie there would be taken for a hinge.
+/// The place, at rest, of the node or bone that moves a part. An artist may have put it on the hinge, or left it in the middle or at the file's origin, so it is evidence only. Leave it out, or say DM\_PIVOT\_DEFAULT, where the nodes of an asset all have their places by one rule: at one point, or at the same place of their boxes. A program has put them there, and the library would take an edge that happens to lie there for a hinge.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_pivot {
@@ -638,11 +638,11 @@ pub struct dm_joint {
     pub pitch: f32,
     /// Unit vector, host object frame. A positive value slides along it, or turns about it: right-handed in a right-handed host frame, left-handed in a left-handed one. A joint found with a drag is positive the way of the drag. Without a drag the longer way is positive, so \`upper\` is the open end.
     pub axis: dm_vec3,
-    /// A point of the axis: of a joint of the library the one nearest the part's centre; a host's own stays as it was given.
+    /// A point of the axis. For a joint that the library found, it is the one nearest the part's centre. The point of a host's own joint stays as it was given.
     pub origin: dm_vec3,
-    /// Limits of the joint value, rad or host units; the rest pose is value 0. There are none when both are equal, and none for continuous joints. A limit of the host farther from rest than 1000 rad or 100 object sizes (FLT\_MAX, 1e10, infinity) counts as none. Where only one side has none, a little more than that stands for it.
+    /// Limits of the joint value, rad or host units; the rest pose is value 0. There are no limits when both are equal, and none for continuous joints. A limit of the host farther from rest than 1000 rad or 100 object sizes (FLT\_MAX, 1e10, infinity) counts as none. Where only one side has none, a slightly larger number stands for the missing limit.
     pub lower: f32,
-    /// Limits of the joint value, rad or host units; the rest pose is value 0. There are none when both are equal, and none for continuous joints. A limit of the host farther from rest than 1000 rad or 100 object sizes (FLT\_MAX, 1e10, infinity) counts as none. Where only one side has none, a little more than that stands for it.
+    /// Limits of the joint value, rad or host units; the rest pose is value 0. There are no limits when both are equal, and none for continuous joints. A limit of the host farther from rest than 1000 rad or 100 object sizes (FLT\_MAX, 1e10, infinity) counts as none. Where only one side has none, a slightly larger number stands for the missing limit.
     pub upper: f32,
     /// DM\_JOINT\_FROM\_\*, DM\_JOINT\_CHOSEN
     pub source: i32,
@@ -708,7 +708,7 @@ pub struct dm_part_state {
     pub velocity: f32,
     /// DM\_STATUS\_\*; output only
     pub status: u32,
-    /// The pose as shown, from rest. It differs from dm\_joint\_pose(joint, value) only while the part blends over to a joint that has just changed. Zeros: that of joint and value.
+    /// The pose as shown, from rest. It differs from dm\_joint\_pose(joint, value) only while the part blends over to a joint that has just changed. Zeros: the pose of joint and value.
     pub pose: dm_pose,
     /// stays the last field
     pub joint: dm_joint,
@@ -922,13 +922,13 @@ pub struct dm_asset_node {
     pub mesh: *const dm_mesh_desc,
     /// 4x4, column-major, affine: takes the node's frame to the asset frame, all nodes above it included. NULL: identity.
     pub transform: *const f32,
-    /// Asset frame. NULL: origin and axes of \`transform\`, and unknown where that is NULL too.
+    /// Pivot of the node, asset frame. NULL: origin and axes of \`transform\`, and unknown where that is NULL too.
     pub pivot: *const dm_pivot,
     pub clips: *const dm_asset_clip,
     pub clip_count: u32,
     /// 0
     pub reserved: u32,
-    /// Joint that the file states for this node, asset frame, with limits. It is certain, as a joint that the host sets. DM\_JOINT\_FIXED: the node is one with the node above it. NULL: none.
+    /// Joint that the file states for this node, asset frame, with limits. It is as certain as a joint that the host sets. DM\_JOINT\_FIXED: the node is one with the node above it. NULL: none.
     pub joint: *const dm_joint,
 }
 
@@ -1094,11 +1094,11 @@ pub struct dm_drag_rules {
     pub struct_size: u32,
     /// DM\_RULE\_\*
     pub flags: u32,
-    /// Joint values, rising, at which the part catches as at detents, as hard as feel.detent\_pull says. With feel.detent above 0 they are refused.
+    /// Joint values, rising, at which the part catches as at detents, with the strength of feel.detent\_pull. With feel.detent above 0 they are refused.
     pub snaps: *const f32,
     /// DM\_MAX\_SNAPS at most
     pub snap_count: u32,
-    /// Joint value that a snap value reaches to either side; 0 = half-way to the next one, or a twentieth of the range where there is none.
+    /// Distance, in joint value, from which a snap value catches the part, to either side; 0 = half-way to the next one, or a twentieth of the range where there is none.
     pub snap_reach: f32,
     /// share of the range from rest beyond which DM\_EVENT\_OPENED comes; 0 = 0.1
     pub open_share: f32,
@@ -1118,7 +1118,7 @@ pub struct dm_drag_rules {
     pub auto_close_share: f32,
     /// seconds in which it closes; 0 = 0.25
     pub auto_close_time: f32,
-    /// seconds from the release until feel.return\_time brings the part back
+    /// seconds from the release until the part starts to spring back by feel.return\_time
     pub close_delay: f32,
     /// Share of the range: a released part nearer to rest than this falls to rest, and any other to its open end, as a hatch does; 0 = it does not fall.
     pub tip_share: f32,
@@ -1155,11 +1155,11 @@ pub struct dm_link {
     pub kind: i32,
     /// DM\_LINK\_BOTH\_WAYS
     pub flags: u32,
-    /// Value of the driven part a value of the driver; 0 = 1. The two may be rad and host units, as in a rack and pinion.
+    /// How far the driven part's value changes for each unit of the driver's; 0 = 1. The two may be rad and host units, as in a rack and pinion.
     pub ratio: f32,
     /// value of the driven part while the driver is at \`from\`
     pub offset: f32,
-    /// Value of the driver from which on the link acts, on that side of rest. With 0, DM\_LINK\_FREES and DM\_LINK\_HOLDS count it as reached at rest.
+    /// Value of the driver from which on the link acts, on that side of rest. A \`from\` of 0 counts as reached at rest for DM\_LINK\_FREES and DM\_LINK\_HOLDS.
     pub from: f32,
 }
 
@@ -1207,7 +1207,7 @@ impl Default for dm_drag_desc {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dm_hand {
-    /// DM\_HAND\_\*. RATE, STEP and VALUE stay inside the limits. RATE and STEP open the part with an amount above 0. A limit that the library estimated stops them first, and gives afterwards, as it gives to a pull: to a RATE after 0.25 s at the limit, to a STEP at the next one.
+    /// DM\_HAND\_\*. RATE, STEP and VALUE stay inside the limits. RATE and STEP open the part with an amount above 0. A limit that the library estimated stops them first. It gives afterwards, as it gives to a pull: to a RATE after 0.25 s at the limit, to a STEP with the next step.
     pub kind: i32,
     /// object frame, scaled with dm\_drag\_desc.scale
     pub ray: dm_ray,
@@ -1234,13 +1234,13 @@ pub struct dm_drag_input {
     /// DM\_INPUT\_\*
     pub flags: u32,
     pub hand: dm_hand,
-    /// Another hand on the part, by ray or point; DM\_HAND\_NONE = none. Each hand counts as far as it can move the part. It comes and goes without a jump.
+    /// Another hand on the part, by ray or point; DM\_HAND\_NONE = none. The hand that can move the part farther counts more. The second hand comes and goes without a jump.
     pub second: dm_hand,
     /// joint values of the handles of a latch, from their drags or links
     pub handles: [f32; 2],
-    /// Joint values between which the host's world leaves the part room in this update, infinite on a free side. There are none when both are equal, unless DM\_INPUT\_BOUNDS is set. The part stops there softly, goes on when it is free, and is pushed back when it lies beyond.
+    /// Joint values between which the host's world leaves the part room in this update, infinite on a free side. There are no bounds when both are equal, unless DM\_INPUT\_BOUNDS is set. The part stops there softly, goes on when it is free, and is pushed back when it lies beyond.
     pub lower: f32,
-    /// Joint values between which the host's world leaves the part room in this update, infinite on a free side. There are none when both are equal, unless DM\_INPUT\_BOUNDS is set. The part stops there softly, goes on when it is free, and is pushed back when it lies beyond.
+    /// Joint values between which the host's world leaves the part room in this update, infinite on a free side. There are no bounds when both are equal, unless DM\_INPUT\_BOUNDS is set. The part stops there softly, goes on when it is free, and is pushed back when it lies beyond.
     pub upper: f32,
 }
 
@@ -1279,7 +1279,7 @@ pub struct dm_drag_state {
     pub detents: u32,
     /// Speed with which it met a limit or was blocked, joint value a second; 0 without such an event, or without dm\_drag\_desc.rules.
     pub impact: f32,
-    /// DM\_STATUS\_\*: what holds the part, and how it stands; 0 without dm\_drag\_desc.rules
+    /// DM\_STATUS\_\*: what holds the part, and whether it is open; 0 without dm\_drag\_desc.rules
     pub status: u32,
     /// Probability that the joint in force is right, 0 to 1: the one number to show. A pull of one kind from one side never makes it 1.
     pub joint_confidence: f32,
@@ -1304,7 +1304,7 @@ pub struct dm_release_desc {
     pub struct_size: u32,
     /// DM\_GO\_\*
     pub intent: i32,
-    /// seconds from here to the end; 0 = by how far and how fast the part goes
+    /// seconds from here to the end; 0 = the library takes it from the part's way and speed
     pub duration: f32,
     /// seed of the DQ-VAE, as dm\_motion\_desc.seed
     pub seed: u32,
@@ -1723,9 +1723,9 @@ impl Default for dm_gltf_rig_file {
 
 #[link(name = "dragmesh")]
 extern "C" {
-    /// Returns the name of a result, such as "DM\_ERROR\_EMPTY\_MASK", or "DM\_ERROR\_UNKNOWN" for a number that is none. It never returns NULL. \[any-thread\]
+    /// Returns the name of a result, such as "DM\_ERROR\_EMPTY\_MASK", or "DM\_ERROR\_UNKNOWN" for a number that is not one. It never returns NULL. \[any-thread\]
     pub fn dm_result_string(result: dm_result) -> *const c_char;
-    /// Returns the version of the library in use, as DM\_VERSION has it. \[any-thread\]
+    /// Returns the version of the library in use, as a number like DM\_VERSION. \[any-thread\]
     pub fn dm_version() -> u32;
     /// Returns the function table of an interface id, or NULL for an unknown one. "dm.core/1" gives a const dm\_core\_1\*. \[any-thread\]
     pub fn dm_get_interface(id: *const c_char) -> *const c_void;
@@ -1741,11 +1741,11 @@ extern "C" {
     pub fn dm_model_load(context: *mut dm_context, desc: *const dm_model_desc, out_model: *mut dm_model) -> dm_result;
     /// Frees weights. Objects prepared with them keep their joints, and motions made with them stay; new motions and refinements of such objects answer NO\_MODEL. \[exclusive object\]
     pub fn dm_model_unload(context: *mut dm_context, model: dm_model) -> dm_result;
-    /// Finds the part that a point of the surface belongs to, where no mask names it. Writes 1 to out\_face\_ids for every triangle that moves with it and 0 for the others; as part ids per face they can go into a dm\_mesh\_desc unchanged. The call takes up to tens of milliseconds, and a second for tens of thousands of loose pieces; its time grows at most linearly with their number. mesh-\>part\_ids: pieces known to be rigid, such as the nodes of a scene; the grabbed one moves, together with what is fastened to it alone. With NULL, or with one piece, the part is put together from the mesh's sheets of surface. drag: the point where the part was grabbed, and the direction of the pull; a zero vector means no direction. Errors: those of dm\_object\_prepare for a mesh; BUFFER\_TOO\_SMALL when face\_count is less than the mesh's; DRAG\_OFF\_PART; FULL\_MASK when nothing is left that stays; CANCELLED. \[any-thread\]
+    /// Finds the part that a point of the surface belongs to, in a mesh whose parts are not known. Writes 1 to out\_face\_ids for every triangle of the part and 0 for the others; as part ids per face they can go into a dm\_mesh\_desc unchanged. The call takes up to tens of milliseconds, and a second for tens of thousands of loose pieces; its time grows at most linearly with their number. mesh-\>part\_ids: pieces known to be rigid, such as the nodes of a scene; the grabbed one moves, together with what is fastened to it alone. With NULL, or with one piece, the part is put together from the mesh's sheets of surface. drag: the point where the part was grabbed, and the direction of the pull; a zero vector means no direction. Errors: those of dm\_object\_prepare for a mesh; BUFFER\_TOO\_SMALL when face\_count is less than the mesh's; DRAG\_OFF\_PART; FULL\_MASK when nothing is left that stays; CANCELLED. \[any-thread\]
     pub fn dm_mesh_find_part(context: *mut dm_context, mesh: *const dm_mesh_desc, drag: *const dm_drag_hint, out_face_ids: *mut u8, face_count: u64) -> dm_result;
     /// Infers how each part of a mesh moves, and makes an object of it. The call takes up to tens of milliseconds for a usual object (docs/performance.md) and uses dm\_jobs. It warns once where the answer is worse than it could be (DM\_DEGRADED\_\*). Errors: NOT\_FINITE, INDEX\_OUT\_OF\_RANGE (also for an answer of desc.choose), EMPTY\_MASK, DEGENERATE\_MESH, ZERO\_DRAG, DRAG\_OFF\_PART, TOO\_LARGE, CANCELLED. \[any-thread\]
     pub fn dm_object_prepare(context: *mut dm_context, desc: *const dm_object_desc, out_object: *mut dm_object) -> dm_result;
-    /// Writes a prepared object as .dmo bytes, which are versioned, checksummed and little-endian. Call it with a NULL buffer to learn the size. out\_size gets the bytes needed or written, also with BUFFER\_TOO\_SMALL. Triangles are stored with trees of the library's own, so that loading builds none; where the object has other trees, each call builds them. \[exclusive object\]
+    /// Writes a prepared object as .dmo bytes, which are versioned, checksummed and little-endian. Call it with a NULL buffer to learn the size. out\_size gets the bytes needed or written, also with BUFFER\_TOO\_SMALL. Triangles are stored with trees of the library's own, so that loading builds none; where the object has other trees, each call builds the library's. \[exclusive object\]
     pub fn dm_object_save(context: *mut dm_context, object: dm_object, buffer: *mut c_void, capacity: usize, out_size: *mut usize) -> dm_result;
     /// Loads what dm\_object\_save has written, by this or any earlier version. model: the weights of its motions; may be 0. The file's own trees are used where desc.picking of the context is DM\_PICK\_AUTO or DM\_PICK\_PORTABLE (dm\_object\_info.picking). Errors: BAD\_DATA, VERSION, CANCELLED. \[any-thread\]
     pub fn dm_object_load(context: *mut dm_context, data: *const c_void, size: usize, model: dm_model, out_object: *mut dm_object) -> dm_result;
@@ -1765,9 +1765,9 @@ extern "C" {
     pub fn dm_object_set_joint(context: *mut dm_context, object: dm_object, part_id: u32, joint: *const dm_joint) -> dm_result;
     /// Puts the library's own answer back in force, after dm\_object\_set\_joint or a choice. \[exclusive object\]
     pub fn dm_object_reset_joint(context: *mut dm_context, object: dm_object, part_id: u32) -> dm_result;
-    /// Replaces all links between parts of an object by copies of these. count: 0, which removes all, to DM\_MAX\_LINKS. A saved object does not hold links. Errors: INVALID\_ARGUMENT also when a part is moved by two drivers, or by itself over others; NOT\_FOUND. \[exclusive object\]
+    /// Replaces all links between parts of an object by copies of these. count: 0, which removes all, to DM\_MAX\_LINKS. A saved object does not hold links. Errors: INVALID\_ARGUMENT also when two drivers move one part, or a part moves itself through other links; NOT\_FOUND. \[exclusive object\]
     pub fn dm_object_set_links(context: *mut dm_context, object: dm_object, links: *const dm_link, count: u32) -> dm_result;
-    /// Moves everything that is linked with a part that has moved. inout\_values: the joint values of one instance, one a part, in the order of dm\_object\_get\_part. The value of the part itself changes when a driver of it is at its limit (dm\_drag\_override). out\_held: gets 1 for each part that links hold where it is (DM\_INPUT\_LOCKED), else 0; may be NULL. count: the number of parts, which is the length of both. The limits are those of the joints in force, for the unscaled instance. \[frame\]
+    /// Moves everything that is linked with a part that has moved. inout\_values: the joint values of one instance, one a part, in the order of dm\_object\_get\_part. The value of the moved part itself changes too when a driver of it is at its limit; dm\_drag\_override takes that value. out\_held: gets 1 for each part that links hold where it is (DM\_INPUT\_LOCKED), else 0; may be NULL. count: the number of parts, which is the length of both. The limits are those of the joints in force, for the unscaled instance. \[frame\]
     pub fn dm_object_follow_links(context: *mut dm_context, object: dm_object, part_id: u32, inout_values: *mut f32, out_held: *mut u8, count: u32) -> dm_result;
     /// Infers which nodes of an asset move, which of them move as one, what carries what, and how each part moves. The same nodes in the same order give the same bits. The call takes about as long as dm\_object\_prepare for all of its nodes, and uses dm\_jobs. It warns once where the answer is worse than it could be. Errors, whose messages name the node: NOT\_FINITE, INDEX\_OUT\_OF\_RANGE, DEGENERATE\_MESH, TOO\_LARGE, CANCELLED; INVALID\_ARGUMENT also when parents or followers form a circle, a name is not UTF-8, or no node has a mesh. \[any-thread\]
     pub fn dm_asset_create(context: *mut dm_context, desc: *const dm_asset_desc, out_asset: *mut dm_asset) -> dm_result;
@@ -1785,9 +1785,9 @@ extern "C" {
     pub fn dm_asset_get_node_parts(context: *mut dm_context, asset: dm_asset, out_parts: *mut u32, capacity: u32) -> dm_result;
     /// Makes a prepared object of the parts that move or are free. They carry each other as in the asset, and all else is the body. The object has the triangles of the nodes that do not follow others, node after node. Errors: EMPTY\_MASK when nothing moves. \[any-thread\]
     pub fn dm_asset_make_object(context: *mut dm_context, asset: dm_asset, out_object: *mut dm_object) -> dm_result;
-    /// Writes the pose of a joint at a value, from rest, in the frame of the joint. The axis may have any length, here and in the functions below. \[frame\]
+    /// Writes the pose of a joint at a value, from rest, in the frame in which the joint is given. The axis may have any length, here and in the functions below. \[frame\]
     pub fn dm_joint_pose(joint: *const dm_joint, value: f32, out_pose: *mut dm_pose) -> dm_result;
-    /// Inverts dm\_joint\_pose: writes the value at which the joint comes nearest to a pose. out\_angle\_error gets the angle between both poses, rad. out\_distance\_error gets the distance of the joint's origin under both, host units. Both may be NULL. Of values one turn apart, the answer is the one inside the limits, or else the one nearest to 0; for a screw, its advance decides. Errors: NOT\_FINITE when an answer is beyond a float's range. \[frame\]
+    /// Inverts dm\_joint\_pose: writes the value at which the joint comes nearest to a pose. out\_angle\_error gets the angle between both poses, rad. out\_distance\_error gets the distance between the places of the joint's origin under both, host units. Both may be NULL. Of values one turn apart, the answer is the one inside the limits, or else the one nearest to 0; for a screw, its advance decides. Errors: NOT\_FINITE when an answer is beyond a float's range. \[frame\]
     pub fn dm_joint_value(joint: *const dm_joint, pose: *const dm_pose, out_value: *mut f32, out_angle_error: *mut f32, out_distance_error: *mut f32) -> dm_result;
     /// Writes the joint value at a share of the way from rest to the open end, which is the limit farther from rest: 0 is rest, 1 is open, 0.1 is ajar. Errors: INVALID\_ARGUMENT for a joint without limits. \[frame\]
     pub fn dm_joint_value_at(joint: *const dm_joint, share: f32, out_value: *mut f32) -> dm_result;
@@ -1805,7 +1805,7 @@ extern "C" {
     pub fn dm_motion_destroy(context: *mut dm_context, motion: dm_motion) -> dm_result;
     /// Starts a drag: the player grabs a part. Where the library found the joint, the pull is more evidence. The drag holds the part's other hypotheses and likely joints beyond them, and follows the one that explains the pull best. Limits that were estimated give when the pull goes on beyond them. docs/feel.md describes how. The call warns of a grab point or value in other units than expected (millimetres, degrees). \[any-thread\]
     pub fn dm_drag_begin(context: *mut dm_context, desc: *const dm_drag_desc, out_drag: *mut dm_drag) -> dm_result;
-    /// Advances a drag by dt seconds. The grabbed point follows the pointer's ray (object frame, scaled with dm\_drag\_desc.scale) as closely as the joint allows. Pass the ray that grabbed the part first: by how much it misses the grab point, at most 0.032 rad, is kept for the whole drag, so that the part does not move before the pointer does. A dt from -1e-4 to 0, as clocks round it, counts as 0. After dm\_drag\_release the part moves by itself, and ray may be NULL. out\_state-\>struct\_size must be set. \[frame\]
+    /// Advances a drag by dt seconds. The grabbed point follows the pointer's ray (object frame, scaled with dm\_drag\_desc.scale) as closely as the joint allows. Pass the ray that grabbed the part first. The whole drag keeps the angle by which this ray misses the grab point, up to 0.032 rad, so that the part does not move before the pointer does. A dt from -1e-4 to 0, as clocks round it, counts as 0. After dm\_drag\_release the part moves by itself, and ray may be NULL. out\_state-\>struct\_size must be set. \[frame\]
     pub fn dm_drag_update(context: *mut dm_context, drag: dm_drag, ray: *const dm_ray, dt: f32, out_state: *mut dm_drag_state) -> dm_result;
     /// Does what dm\_drag\_update does, with everything that a dm\_drag\_input holds. A released part needs no hand. Errors: INVALID\_ARGUMENT, also for handles, bounds and DM\_INPUT\_LOCKED of a drag without dm\_drag\_desc.rules. \[frame\]
     pub fn dm_drag_step(context: *mut dm_context, drag: dm_drag, input: *const dm_drag_input, dt: f32, out_state: *mut dm_drag_state) -> dm_result;
@@ -1858,7 +1858,7 @@ pub use self::dm_drag_take as dm_drag_override;
 #[cfg(feature = "gltf")]
 #[link(name = "dragmesh_gltf")]
 extern "C" {
-    /// Returns the version of the libdragmesh\_gltf in use, as DM\_VERSION has it.
+    /// Returns the version of the libdragmesh\_gltf in use, as a number like DM\_VERSION.
     pub fn dm_gltf_version() -> u32;
     /// Opens the bytes of a .glb or .gltf. Reads triangles, strips and fans, also quantised ones (KHR\_mesh\_quantization) and, where the build has their libraries, compressed ones (EXT\_meshopt\_compression, KHR\_meshopt\_compression, KHR\_draco\_mesh\_compression). Another required extension that may change geometry is refused as UNSUPPORTED, by name. Morph targets are applied as the file's weights say. An instance of EXT\_mesh\_gpu\_instancing becomes a node of its own, behind those of the file, below the node that has the extension. These are left out with a warning: triangles whose vertices do not exist or are not finite, broken primitives, points, lines, and nodes whose scale is zero. These are left out in silence, because they are no body: nodes and meshes named UCX\_\*, UBX\_\*, UCP\_\*, USP\_\*, \*\_collider, \*-colonly, \*-convcolonly; coarser levels of detail (MSFT\_lod, or siblings named \*\_LOD0, \*\_LOD1); invisible nodes (KHR\_node\_visibility); and materials of alpha 0. A call logs one warning, which counts what is left out and quotes the first three. Errors: when nothing is left, the first reason: BAD\_DATA, NOT\_FINITE, INDEX\_OUT\_OF\_RANGE or DEGENERATE\_MESH; NOT\_FOUND for a file beside it; VERSION; TOO\_LARGE when it would take more memory than 64 MB and 64 bytes a byte of the file, or 256 a byte of a Draco stream.
     pub fn dm_gltf_open(desc: *const dm_gltf_desc, out_gltf: *mut *mut dm_gltf) -> dm_result;

@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-/* Returns the version of the libdragmesh_gltf in use, as DM_VERSION has it. */
+/* Returns the version of the libdragmesh_gltf in use, as a number like DM_VERSION. */
 DM_API uint32_t DM_CALL dm_gltf_version(void);
 
 typedef struct dm_gltf dm_gltf;
