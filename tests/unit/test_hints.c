@@ -321,6 +321,18 @@ static void a_pivot_on_an_edge_counts_and_one_in_the_middle_hardly(void** state)
     assert_true(gain_through(&middle, middle.pivot) < gain_through(&edge, edge.pivot) / 3);
 }
 
+/* A word that names the mechanism outweighs a pivot on an edge: what slides has its pivot anywhere. */
+static void a_pivot_says_nothing_of_what_slides_by_name(void** state) {
+    (void)state;
+    dmi_asset_hints edge = pivot_at(0.1, 0.402, 0);
+    edge.label = dmi_kind_of_label("gate");
+    const float gate = gain_through(&edge, edge.pivot);
+    edge.label = dmi_kind_of_label("sliding_gate/Cube");
+    assert_true(gain_through(&edge, edge.pivot) < gate / 4);
+    edge.label = dmi_kind_of_label("hinged_gate");
+    assert_true(gain_through(&edge, edge.pivot) > gate / 4);
+}
+
 /* The probability of all slides after a name has weighed even candidates. */
 static float slides_of(const char* label, const dmi_drag_hint* drag) {
     const dmi_asset_hints hints = {.up = {0, 1, 0}, .label = dmi_kind_of_label(label)};
@@ -407,6 +419,7 @@ int main(void) {
         cmocka_unit_test(pivot_features_tell_lines_through_the_middle_too),
         cmocka_unit_test(kind_features_tell_where_an_axis_runs),
         cmocka_unit_test(a_pivot_on_an_edge_counts_and_one_in_the_middle_hardly),
+        cmocka_unit_test(a_pivot_says_nothing_of_what_slides_by_name),
         cmocka_unit_test(a_name_tells_slides_from_turns_where_no_drag_does),
         cmocka_unit_test(candidates_through_a_pivot_are_added_once),
         cmocka_unit_test(impossible_candidates_stay_finite),

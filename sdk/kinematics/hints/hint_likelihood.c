@@ -198,8 +198,14 @@ static float label_likelihood(const dmi_hint_frame* frame, const dmi_candidate* 
     return tells_type ? sum + kind_slides[label.kind] + slide_by_definition(label.kind) : sum;
 }
 
+/* Returns whether words say that the part slides. The pivot of such a part lies wherever its author has put it. */
+static bool words_tell_slide(dmi_label_kind label) {
+    const dmi_label_modifiers say = dmi_modifiers_that_count(label.kind, label.modifiers);
+    return ((say.own | say.above) & (BIT(SLIDING) | BIT(HUNG))) != 0;
+}
+
 static float pivot_likelihood(const dmi_hint_frame* frame, const dmi_candidate* candidate) {
-    if (!frame->hints->has_pivot) return 0;
+    if (!frame->hints->has_pivot || words_tell_slide(frame->hints->label)) return 0;
     float features[DMI_PIVOT_FEATURES], sum = 0;
     dmi_pivot_features(frame, candidate, features);
     for (int i = 0; i < DMI_PIVOT_FEATURES; i++) sum += pivot_weights[frame->place][i] * features[i];
