@@ -34,7 +34,7 @@ for source in tests/e2e/category_hashes.c training/lab/{case,random,augment_case
 done
 half=$(($(wc -l < "$work/rows") / 2))
 hashes today < "$work/rows"
-{ echo "X(added_kind,$next,FIRST)"; cat "$work/rows"; } | hashes first
+{ echo "X(added_kind,$next,TRAINED)"; cat "$work/rows"; } | hashes first
 sed "${half}a X(added_kind,$((next + 1000)),TEST_ONLY)" "$work/rows" | hashes middle
 { tac "$work/rows"; echo "X(added_kind,$next,TEST_ONLY)"; } | hashes last_of_reversed
 for name in first middle last_of_reversed; do

@@ -103,10 +103,12 @@ static void every_way_opens_at_its_hinge(void** state) {
 int main(int argc, char** argv) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(every_way_opens_at_its_hinge)};
     const int is_kept = argc == 3 && strcmp(argv[1], "--keep") == 0;
-    if (is_kept)
+    if (is_kept) {
         snprintf(folder, sizeof folder, "%.400s", argv[2]);
-    else
+        mkdir(folder, 0700);
+    } else {
         tool_folder_make(folder);
+    }
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     if (!is_kept) tool_folder_remove(folder);
     return failed;

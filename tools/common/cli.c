@@ -14,6 +14,13 @@ void* cli_grow(void* memory, size_t size) {
     exit(CLI_FAILED);
 }
 
+void* cli_grow_list(void* items, size_t count, size_t* room, size_t item_size) {
+    enum { FIRST_ROOM = 1024 };
+    if (count < *room) return items;
+    *room = *room ? 2 * *room : FIRST_ROOM;
+    return cli_grow(items, *room * item_size);
+}
+
 void* cli_alloc(size_t size) {
     return cli_grow(NULL, size);
 }

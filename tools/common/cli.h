@@ -14,6 +14,8 @@ void* cli_alloc(size_t size);
 void* cli_alloc_zeroed(size_t size);
 char* cli_copy_text(const char* text);
 void* cli_grow(void* memory, size_t size);
+/* Returns `items`, moved to twice the room where its *room items are all taken. */
+void* cli_grow_list(void* items, size_t count, size_t* room, size_t item_size);
 
 double cli_now_ms(void);
 

@@ -14,27 +14,21 @@ static int by_name(const void* a, const void* b) {
     return strcmp(*(char* const*)a, *(char* const*)b);
 }
 
-static bool has_joints(const char* folder, const char* name) {
-    char* object = path_join(folder, name);
-    char* joints = path_join(object, "joints.json");
-    const bool found = name[0] != '.' && platform_exists(joints);
-    free(joints);
-    free(object);
-    return found;
-}
-
 typedef struct listing {
-    const char* folder;
+    const char *folder, *file;
     name_list names;
 } listing;
 
 static void add_object(void* user, const char* name) {
     listing* found = user;
-    if (has_joints(found->folder, name)) name_list_add(&found->names, name, strlen(name));
+    char *object = path_join(found->folder, name), *path = path_join(object, found->file);
+    if (name[0] != '.' && platform_exists(path)) name_list_add(&found->names, name, strlen(name));
+    free(path);
+    free(object);
 }
 
-name_list dataset_list(const char* folder) {
-    listing found = {folder, {NULL, 0}};
+name_list dataset_list(const char* folder, const char* file) {
+    listing found = {folder, file, {NULL, 0}};
     platform_list(folder, add_object, &found);
     if (found.names.count) qsort(found.names.names, found.names.count, sizeof *found.names.names, by_name);
     return found.names;

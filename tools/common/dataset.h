@@ -35,9 +35,9 @@ typedef struct known_object {
     int joint_count;
 } known_object;
 
-/* Names of the sub-folders of `folder` that have a joints.json, sorted; an empty list with errno set when it can't be
- * read. */
-name_list dataset_list(const char* folder);
+/* Returns the names of the sub-folders of `folder` that have a file of that name, sorted; an empty list with errno set
+ * when the folder can't be read. */
+name_list dataset_list(const char* folder, const char* file);
 /* 0, or -1 with a message in `error`. */
 int dataset_read(const char* folder, const char* name, known_object* out_object, char* error, size_t error_size);
 /* Takes places into a frame whose origin is at `origin` of the file: that of a merged mesh, dm_gltf_get_origin. */

@@ -1,12 +1,10 @@
 /* dragmesh nodes: what a file has that may move, and by which names. */
 #include <stdio.h>
-#include <stdlib.h>
 
+#include "file_report.h"
 #include "json.h"
 #include "nodes.h"
-#include "options.h"
 #include "runs.h"
-#include "session_open.h"
 #include "shown.h"
 
 /* What is printed of a node. */
@@ -82,21 +80,12 @@ static void print_json(const session* session, uint32_t largest) {
     printf("]}\n");
 }
 
+static dm_result print_nodes(session* session, const char* path, int as_json) {
+    const dm_result result = session_use_file(session, path);
+    if (result == DM_OK) (as_json ? print_json : print_table)(session, largest_node(session));
+    return result;
+}
+
 int nodes_run(const cli_command* command, int argc, char** argv) {
-    const char* file = NULL;
-    int as_json = 0;
-    const option_spec table[] = {{.name = "--json", .kind = OPTION_FLAG, .value = &as_json}};
-    session session;
-    int status = options_read(command, argc, argv, table, 1, &file);
-    if (status == CLI_OK && file == NULL) status = options_refuse(command, "which file?");
-    if (status == CLI_OK) status = session_open(&session, "none", NULL);
-    if (status != CLI_OK) return status;
-    if (session_use_file(&session, file) == DM_OK) {
-        (as_json ? print_json : print_table)(&session, largest_node(&session));
-    } else {
-        fprintf(stderr, "dragmesh: %s\n", session.error);
-        status = CLI_FAILED;
-    }
-    session_close(&session);
-    return status;
+    return file_report_run(command, argc, argv, print_nodes);
 }

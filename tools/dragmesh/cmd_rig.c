@@ -43,7 +43,7 @@ static int rig_file(const char* file, const char* models, const rig_output* outp
 int rig_run(const cli_command* command, int argc, char** argv) {
     const char *file = NULL, *models = NULL, *names = "on", *formats = "glb", *up = "y";
     int no_clips = 0, as_json = 0, is_worker = 0, workers = 1;
-    char unknown[RIG_FORMATS_TEXT];
+    char unknown[RIG_FORMATS_TEXT], known[RIG_FORMATS_TEXT];
     rig_output output = {0};
     rig_options options = {
         .min_moves = RIG_USUAL_MOVES,
@@ -67,8 +67,9 @@ int rig_run(const cli_command* command, int argc, char** argv) {
     output.as_json = as_json;
     output.is_worker = is_worker;
     status = check(command, &output, &options, file, names, up);
+    rig_format_names(UINT32_MAX, known, sizeof known);
     if (status == CLI_OK && options.formats == 0)
-        status = options_refuse(command, "--formats: '%s' is none of glb, urdf, mjcf, sdf, usda, tscn", unknown);
+        status = options_refuse(command, "--formats: '%s' is none of %s", unknown, known);
     if (status == CLI_OK && (workers < 1 || workers > MOST_WORKERS))
         status = options_refuse(command, "-j: 1 to %d", MOST_WORKERS);
     if (status != CLI_OK) return status;

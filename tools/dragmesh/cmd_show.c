@@ -3,10 +3,10 @@
 #include <stdlib.h>
 
 #include "answer.h"
+#include "file_report.h"
 #include "files.h"
 #include "json.h"
 #include "runs.h"
-#include "session_open.h"
 #include "shown.h"
 
 /* What is printed of a part. */
@@ -90,7 +90,7 @@ static void print_object(const dm_object_info* info, size_t bytes) {
            (double)info->size, info->pickable ? "rays can hit it" : "without triangles for rays");
 }
 
-static dm_result show(session* session, const char* path, int as_json) {
+static dm_result print_file(session* session, const char* path, int as_json) {
     size_t bytes = 0;
     dm_object_info info = dm_object_info_default();
     dm_result result = load(session, path, &bytes);
@@ -114,18 +114,5 @@ static dm_result show(session* session, const char* path, int as_json) {
 }
 
 int show_run(const cli_command* command, int argc, char** argv) {
-    const char* file = NULL;
-    int as_json = 0;
-    const option_spec table[] = {{.name = "--json", .kind = OPTION_FLAG, .value = &as_json}};
-    session session;
-    int status = options_read(command, argc, argv, table, 1, &file);
-    if (status == CLI_OK && file == NULL) status = options_refuse(command, "which file?");
-    if (status == CLI_OK) status = session_open(&session, "none", NULL);
-    if (status != CLI_OK) return status;
-    if (show(&session, file, as_json) != DM_OK) {
-        fprintf(stderr, "dragmesh: %s\n", session.error);
-        status = CLI_FAILED;
-    }
-    session_close(&session);
-    return status;
+    return file_report_run(command, argc, argv, print_file);
 }

@@ -101,7 +101,7 @@ static void show(costs* c, int as_json) {
 }
 
 int bench_objects(session* session, const char* folder, int as_json) {
-    name_list names = dataset_list(folder);
+    name_list names = dataset_list(folder, "joints.json");
     if (names.count == 0) {
         fprintf(stderr, "dragmesh bench: '%s' has no folders with a joints.json\n", folder);
         return CLI_USAGE;

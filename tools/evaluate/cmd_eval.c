@@ -218,7 +218,7 @@ static void print_worst(eval_rows* rows, int count, FILE* out) {
 /* ---- the command ---- */
 
 static int evaluate(session* session, const char* folder, const eval_options* options, int as_json, int worst) {
-    name_list names = dataset_list(folder);
+    name_list names = dataset_list(folder, "joints.json");
     if (names.count == 0) {
         fprintf(stderr, "dragmesh eval: '%s' has no folders with a joints.json\n", folder);
         return CLI_USAGE;

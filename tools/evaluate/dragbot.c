@@ -81,7 +81,7 @@ static int report(bot_run* runs, int count, bool as_table, bool as_json) {
 static int play(session* session, const char* folder, const bot_options* options, bool all, bool as_json) {
     bot_run runs[HANDS];
     const int count = all ? HANDS : 1;
-    name_list names = dataset_list(folder);
+    name_list names = dataset_list(folder, "joints.json");
     if (names.count == 0) {
         fprintf(stderr, "dragmesh dragbot: '%s' has no folders with a joints.json\n", folder);
         return CLI_USAGE;

@@ -8,10 +8,7 @@
 #include "dragbot_score.h"
 
 static bot_row* new_row(bot_score* score) {
-    if (score->count == score->room) {
-        score->room = score->room ? 2 * score->room : 1024;
-        score->rows = cli_grow(score->rows, score->room * sizeof *score->rows);
-    }
+    score->rows = cli_grow_list(score->rows, score->count, &score->room, sizeof *score->rows);
     bot_row* row = &score->rows[score->count++];
     memset(row, 0, sizeof *row);
     return row;

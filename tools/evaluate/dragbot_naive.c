@@ -114,10 +114,7 @@ static bool play_series(naive_joint* j, bot_run* run, const naive_pull** pulls, 
 }
 
 static bot_naive_row* new_row(bot_score* score) {
-    if (score->pull_count == score->pull_room) {
-        score->pull_room = score->pull_room ? 2 * score->pull_room : 1024;
-        score->pulls = cli_grow(score->pulls, score->pull_room * sizeof *score->pulls);
-    }
+    score->pulls = cli_grow_list(score->pulls, score->pull_count, &score->pull_room, sizeof *score->pulls);
     bot_naive_row* row = &score->pulls[score->pull_count];
     memset(row, 0, sizeof *row);
     return row;

@@ -26,10 +26,7 @@ static const float axis_speed = 8;
 static const double axis_gain = 1.5, axis_care = 0.5;
 
 static void record_time(bot_times* times, double ns) {
-    if (times->count == times->room) {
-        times->room = times->room ? 2 * times->room : 65536;
-        times->ns = cli_grow(times->ns, times->room * sizeof *times->ns);
-    }
+    times->ns = cli_grow_list(times->ns, times->count, &times->room, sizeof *times->ns);
     times->ns[times->count++] = (float)ns;
 }
 

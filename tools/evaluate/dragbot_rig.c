@@ -311,23 +311,6 @@ static dm_result play_asset(session* session, rig_truth* truth, const bot_option
 
 /* ---- the folder ---- */
 
-typedef struct listing {
-    const char* folder;
-    name_list names;
-} listing;
-
-static void add_asset(void* user, const char* name) {
-    listing* found = user;
-    char *asset = path_join(found->folder, name), *path = path_join(asset, "asset.json");
-    if (name[0] != '.' && platform_exists(path)) name_list_add(&found->names, name, strlen(name));
-    free(path);
-    free(asset);
-}
-
-static int by_name(const void* a, const void* b) {
-    return strcmp(*(char* const*)a, *(char* const*)b);
-}
-
 static bool is_wanted(const bot_options* options, const char* name) {
     for (unsigned i = 0; i < options->only.count; i++)
         if (strstr(name, options->only.names[i]) != NULL) return true;
@@ -356,28 +339,26 @@ static void report(const bot_rig_score* score, bool as_json) {
 }
 
 int bot_rig_play(session* session, const char* folder, const bot_options* options, bool as_json) {
-    listing found = {folder, {NULL, 0}};
+    name_list names = dataset_list(folder, "asset.json");
     bot_rig_score score = {0};
-    platform_list(folder, add_asset, &found);
-    if (found.names.count == 0) {
+    if (names.count == 0) {
         fprintf(stderr, "dragmesh dragbot: '%s' has no folders with an asset.json\n", folder);
         return CLI_USAGE;
     }
-    qsort(found.names.names, found.names.count, sizeof *found.names.names, by_name);
     session->is_quiet = true;
-    for (unsigned i = 0; i < found.names.count; i++) {
+    for (unsigned i = 0; i < names.count; i++) {
         rig_truth truth;
-        if (!is_wanted(options, found.names.names[i])) continue;
-        const bool readable = read_truth(folder, found.names.names[i], &truth);
+        if (!is_wanted(options, names.names[i])) continue;
+        const bool readable = read_truth(folder, names.names[i], &truth);
         score.assets++;
         if (!readable || play_asset(session, &truth, options, &score) != DM_OK) {
             score.failed++;
-            fprintf(stderr, "dragmesh dragbot: %s: %s\n", found.names.names[i],
+            fprintf(stderr, "dragmesh dragbot: %s: %s\n", names.names[i],
                     readable ? session->error : "its asset.json can't be read");
         }
         dataset_free(&truth.known);
     }
     report(&score, as_json);
-    name_list_free(&found.names);
+    name_list_free(&names);
     return score.failed > 0 ? CLI_FAILED : CLI_OK;
 }

@@ -281,10 +281,7 @@ static void report_error(trial* t, const metric_case* known, const joint_answer*
 }
 
 static metric_row* new_row(eval_rows* rows) {
-    if (rows->count == rows->room) {
-        rows->room = rows->room ? 2 * rows->room : 256;
-        rows->rows = cli_grow(rows->rows, rows->room * sizeof *rows->rows);
-    }
+    rows->rows = cli_grow_list(rows->rows, rows->count, &rows->room, sizeof *rows->rows);
     metric_row* row = &rows->rows[rows->count++];
     memset(row, 0, sizeof *row);
     return row;

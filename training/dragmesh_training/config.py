@@ -29,7 +29,7 @@ def kinds_of(kinds, which):
     "held", those that HELD_OUT names, or "paper", those that draw the paper's categories; or "test_only" (also "later"): those
     that are never trained on, nor validated on during training. Training on these too was tried and brought nothing
     (docs/research/decisions.md, 33)."""
-    trained = [kind for kind in kinds if kind.set != "test_only"]
+    trained = [kind for kind in kinds if kind.set == "trained"]
     chosen = {"trained": trained,
               "held": [kind for kind in trained if kind.name in HELD_OUT],
               "paper": [kind for kind in trained if kind.name in PAPER],

@@ -7,7 +7,7 @@
  *     are retired with their categories. A new category takes the next id after all that were given, which
  *     tests/e2e/category_ids.txt lists. Rows may stand in any order: tests/e2e/category_ids.sh checks that neither
  *     order nor new rows change other categories' objects.
- * set: FIRST or TEST_ONLY, a DMG_SET_* of generator.h.
+ * set: TRAINED or TEST_ONLY, a DMG_SET_* of generator.h.
  *
  * generator.c alone includes this header. A file of categories includes core/build.h and the parts it uses, so that a
  * new row compiles one file besides its own. */
@@ -18,255 +18,255 @@
 
 #define DMG_CATEGORIES(X)                                                                                              \
     /* furniture/storage.c */                                                                                          \
-    X(kitchen_cabinet, 0, FIRST)                                                                                       \
-    X(cabinet, 1, FIRST)                                                                                               \
-    X(drawers, 2, FIRST)                                                                                               \
+    X(kitchen_cabinet, 0, TRAINED)                                                                                     \
+    X(cabinet, 1, TRAINED)                                                                                             \
+    X(drawers, 2, TRAINED)                                                                                             \
     /* furniture/furniture.c */                                                                                        \
-    X(table, 3, FIRST)                                                                                                 \
-    X(wardrobe, 4, FIRST)                                                                                              \
-    X(folding_chair, 5, FIRST)                                                                                         \
-    X(swivel_chair, 6, FIRST)                                                                                          \
+    X(table, 3, TRAINED)                                                                                               \
+    X(wardrobe, 4, TRAINED)                                                                                            \
+    X(folding_chair, 5, TRAINED)                                                                                       \
+    X(swivel_chair, 6, TRAINED)                                                                                        \
     /* furniture/hutches.c */                                                                                          \
-    X(slab_cabinet, 117, FIRST)                                                                                        \
-    X(sliding_cabinet, 118, FIRST)                                                                                     \
-    X(desk_hutch, 119, FIRST)                                                                                          \
-    X(nightstand, 120, FIRST)                                                                                          \
-    X(showcase, 121, FIRST)                                                                                            \
+    X(slab_cabinet, 117, TRAINED)                                                                                      \
+    X(sliding_cabinet, 118, TRAINED)                                                                                   \
+    X(desk_hutch, 119, TRAINED)                                                                                        \
+    X(nightstand, 120, TRAINED)                                                                                        \
+    X(showcase, 121, TRAINED)                                                                                          \
     /* furniture/seats.c */                                                                                            \
-    X(office_chair, 161, FIRST)                                                                                        \
+    X(office_chair, 161, TRAINED)                                                                                      \
     /* furniture/stands.c */                                                                                           \
-    X(recliner, 178, FIRST)                                                                                            \
-    X(flat_cart, 179, FIRST)                                                                                           \
-    X(folding_table, 180, FIRST)                                                                                       \
+    X(recliner, 178, TRAINED)                                                                                          \
+    X(flat_cart, 179, TRAINED)                                                                                         \
+    X(folding_table, 180, TRAINED)                                                                                     \
     /* appliances/appliances.c */                                                                                      \
-    X(microwave, 7, FIRST)                                                                                             \
-    X(oven, 8, FIRST)                                                                                                  \
-    X(toaster, 9, FIRST)                                                                                               \
-    X(coffee_machine, 10, FIRST)                                                                                       \
+    X(microwave, 7, TRAINED)                                                                                           \
+    X(oven, 8, TRAINED)                                                                                                \
+    X(toaster, 9, TRAINED)                                                                                             \
+    X(coffee_machine, 10, TRAINED)                                                                                     \
     /* appliances/cold.c */                                                                                            \
-    X(refrigerator, 11, FIRST)                                                                                         \
-    X(dishwasher, 12, FIRST)                                                                                           \
-    X(washing_machine, 13, FIRST)                                                                                      \
-    X(safe, 14, FIRST)                                                                                                 \
+    X(refrigerator, 11, TRAINED)                                                                                       \
+    X(dishwasher, 12, TRAINED)                                                                                         \
+    X(washing_machine, 13, TRAINED)                                                                                    \
+    X(safe, 14, TRAINED)                                                                                               \
     /* appliances/taps.c */                                                                                            \
-    X(tap, 150, FIRST)                                                                                                 \
+    X(tap, 150, TRAINED)                                                                                               \
     /* appliances/stoves.c */                                                                                          \
-    X(stove, 151, FIRST)                                                                                               \
+    X(stove, 151, TRAINED)                                                                                             \
     /* appliances/brewers.c */                                                                                         \
-    X(blender, 158, FIRST)                                                                                             \
-    X(coffee_maker, 159, FIRST)                                                                                        \
+    X(blender, 158, TRAINED)                                                                                           \
+    X(coffee_maker, 159, TRAINED)                                                                                      \
     /* containers/lids.c */                                                                                            \
-    X(chest, 19, FIRST)                                                                                                \
-    X(bucket, 20, FIRST)                                                                                               \
+    X(chest, 19, TRAINED)                                                                                              \
+    X(bucket, 20, TRAINED)                                                                                             \
     /* containers/containers.c */                                                                                      \
-    X(trash_can, 21, FIRST)                                                                                            \
-    X(box, 22, FIRST)                                                                                                  \
-    X(pot, 23, FIRST)                                                                                                  \
-    X(toilet, 24, FIRST)                                                                                               \
-    X(suitcase, 25, FIRST)                                                                                             \
-    X(mailbox, 26, FIRST)                                                                                              \
+    X(trash_can, 21, TRAINED)                                                                                          \
+    X(box, 22, TRAINED)                                                                                                \
+    X(pot, 23, TRAINED)                                                                                                \
+    X(toilet, 24, TRAINED)                                                                                             \
+    X(suitcase, 25, TRAINED)                                                                                           \
+    X(mailbox, 26, TRAINED)                                                                                            \
     /* containers/small.c */                                                                                           \
-    X(bottle, 85, FIRST)                                                                                               \
-    X(jar, 86, FIRST)                                                                                                  \
-    X(dispenser, 87, FIRST)                                                                                            \
-    X(syringe, 88, FIRST)                                                                                              \
-    X(pen, 89, FIRST)                                                                                                  \
-    X(usb_stick, 90, FIRST)                                                                                            \
-    X(folding_knife, 91, FIRST)                                                                                        \
-    X(eyeglasses, 92, FIRST)                                                                                           \
-    X(padlock, 93, FIRST)                                                                                              \
+    X(bottle, 85, TRAINED)                                                                                             \
+    X(jar, 86, TRAINED)                                                                                                \
+    X(dispenser, 87, TRAINED)                                                                                          \
+    X(syringe, 88, TRAINED)                                                                                            \
+    X(pen, 89, TRAINED)                                                                                                \
+    X(usb_stick, 90, TRAINED)                                                                                          \
+    X(folding_knife, 91, TRAINED)                                                                                      \
+    X(eyeglasses, 92, TRAINED)                                                                                         \
+    X(padlock, 93, TRAINED)                                                                                            \
     /* containers/strongboxes.c */                                                                                     \
-    X(strongbox, 122, FIRST)                                                                                           \
-    X(counter_oven, 123, FIRST)                                                                                        \
-    X(cooler, 124, FIRST)                                                                                              \
+    X(strongbox, 122, TRAINED)                                                                                         \
+    X(counter_oven, 123, TRAINED)                                                                                      \
+    X(cooler, 124, TRAINED)                                                                                            \
     /* containers/cases.c */                                                                                           \
-    X(hard_case, 126, FIRST)                                                                                           \
-    X(pail, 127, FIRST)                                                                                                \
-    X(lidded_bin, 128, FIRST)                                                                                          \
-    X(flag_box, 129, FIRST)                                                                                            \
+    X(hard_case, 126, TRAINED)                                                                                         \
+    X(pail, 127, TRAINED)                                                                                              \
+    X(lidded_bin, 128, TRAINED)                                                                                        \
+    X(flag_box, 129, TRAINED)                                                                                          \
     /* containers/toolboxes.c */                                                                                       \
-    X(toolbox, 130, FIRST)                                                                                             \
-    X(casement, 131, FIRST)                                                                                            \
+    X(toolbox, 130, TRAINED)                                                                                           \
+    X(casement, 131, TRAINED)                                                                                          \
     /* containers/clams.c */                                                                                           \
-    X(shell_case, 173, FIRST)                                                                                          \
-    X(waffle_iron, 174, FIRST)                                                                                         \
-    X(door_box, 175, FIRST)                                                                                            \
-    X(swing_bin, 176, FIRST)                                                                                           \
-    X(drop_pot, 177, FIRST)                                                                                            \
+    X(shell_case, 173, TRAINED)                                                                                        \
+    X(waffle_iron, 174, TRAINED)                                                                                       \
+    X(door_box, 175, TRAINED)                                                                                          \
+    X(swing_bin, 176, TRAINED)                                                                                         \
+    X(drop_pot, 177, TRAINED)                                                                                          \
     /* household/household.c */                                                                                        \
-    X(desk_lamp, 94, FIRST)                                                                                            \
-    X(kettle, 95, FIRST)                                                                                               \
-    X(latch, 96, FIRST)                                                                                                \
-    X(folding_panel, 97, FIRST)                                                                                        \
-    X(kitchen_counter, 98, FIRST)                                                                                      \
-    X(step_ladder, 99, FIRST)                                                                                          \
-    X(swing, 100, FIRST)                                                                                               \
-    X(vise, 101, FIRST)                                                                                                \
+    X(desk_lamp, 94, TRAINED)                                                                                          \
+    X(kettle, 95, TRAINED)                                                                                             \
+    X(latch, 96, TRAINED)                                                                                              \
+    X(folding_panel, 97, TRAINED)                                                                                      \
+    X(kitchen_counter, 98, TRAINED)                                                                                    \
+    X(step_ladder, 99, TRAINED)                                                                                        \
+    X(swing, 100, TRAINED)                                                                                             \
+    X(vise, 101, TRAINED)                                                                                              \
     /* office/office.c */                                                                                              \
-    X(printer, 15, FIRST)                                                                                              \
-    X(camera, 16, FIRST)                                                                                               \
-    X(remote, 17, FIRST)                                                                                               \
-    X(keyboard, 18, FIRST)                                                                                             \
+    X(printer, 15, TRAINED)                                                                                            \
+    X(camera, 16, TRAINED)                                                                                             \
+    X(remote, 17, TRAINED)                                                                                             \
+    X(keyboard, 18, TRAINED)                                                                                           \
     /* office/slabs.c */                                                                                               \
-    X(laptop, 27, FIRST)                                                                                               \
-    X(phone, 28, FIRST)                                                                                                \
-    X(stapler, 29, FIRST)                                                                                              \
-    X(scissors, 30, FIRST)                                                                                             \
-    X(pliers, 31, FIRST)                                                                                               \
-    X(lighter, 32, FIRST)                                                                                              \
-    X(book, 33, FIRST)                                                                                                 \
+    X(laptop, 27, TRAINED)                                                                                             \
+    X(phone, 28, TRAINED)                                                                                              \
+    X(stapler, 29, TRAINED)                                                                                            \
+    X(scissors, 30, TRAINED)                                                                                           \
+    X(pliers, 31, TRAINED)                                                                                             \
+    X(lighter, 32, TRAINED)                                                                                            \
+    X(book, 33, TRAINED)                                                                                               \
     /* office/notebooks.c */                                                                                           \
-    X(notebook, 116, FIRST)                                                                                            \
+    X(notebook, 116, TRAINED)                                                                                          \
     /* handheld/handheld.c */                                                                                          \
-    X(motion_controller, 63, FIRST)                                                                                    \
-    X(pistol, 64, FIRST)                                                                                               \
+    X(motion_controller, 63, TRAINED)                                                                                  \
+    X(pistol, 64, TRAINED)                                                                                             \
     /* handheld/controllers.c */                                                                                       \
-    X(vr_controller, 139, FIRST)                                                                                       \
-    X(gamepad, 140, FIRST)                                                                                             \
+    X(vr_controller, 139, TRAINED)                                                                                     \
+    X(gamepad, 140, TRAINED)                                                                                           \
     /* handheld/headsets.c */                                                                                          \
-    X(headset, 166, FIRST)                                                                                             \
+    X(headset, 166, TRAINED)                                                                                           \
     /* handheld/pods.c */                                                                                              \
-    X(finger_controller, 170, FIRST)                                                                                   \
-    X(trigger_tool, 171, FIRST)                                                                                        \
-    X(squeeze_handle, 172, FIRST)                                                                                      \
+    X(finger_controller, 170, TRAINED)                                                                                 \
+    X(trigger_tool, 171, TRAINED)                                                                                      \
+    X(squeeze_handle, 172, TRAINED)                                                                                    \
     /* openings/openings.c */                                                                                          \
-    X(door, 34, FIRST)                                                                                                 \
-    X(sliding_window, 35, FIRST)                                                                                       \
-    X(window, 36, FIRST)                                                                                               \
-    X(gate, 37, FIRST)                                                                                                 \
-    X(sliding_door, 38, FIRST)                                                                                         \
-    X(trapdoor, 39, FIRST)                                                                                             \
-    X(barrier, 40, FIRST)                                                                                              \
-    X(post_door, 125, FIRST)                                                                                           \
+    X(door, 34, TRAINED)                                                                                               \
+    X(sliding_window, 35, TRAINED)                                                                                     \
+    X(window, 36, TRAINED)                                                                                             \
+    X(gate, 37, TRAINED)                                                                                               \
+    X(sliding_door, 38, TRAINED)                                                                                       \
+    X(trapdoor, 39, TRAINED)                                                                                           \
+    X(barrier, 40, TRAINED)                                                                                            \
+    X(post_door, 125, TRAINED)                                                                                         \
     /* openings/buildings.c */                                                                                         \
-    X(hangar_door, 41, FIRST)                                                                                          \
-    X(garage_door, 42, FIRST)                                                                                          \
-    X(drawbridge, 43, FIRST)                                                                                           \
+    X(hangar_door, 41, TRAINED)                                                                                        \
+    X(garage_door, 42, TRAINED)                                                                                        \
+    X(drawbridge, 43, TRAINED)                                                                                         \
     /* openings/shelter.c */                                                                                           \
-    X(shelter, 153, FIRST)                                                                                             \
+    X(shelter, 153, TRAINED)                                                                                           \
     /* controls/controls.c */                                                                                          \
-    X(knob, 44, FIRST)                                                                                                 \
-    X(faucet, 45, FIRST)                                                                                               \
-    X(button, 46, FIRST)                                                                                               \
+    X(knob, 44, TRAINED)                                                                                               \
+    X(faucet, 45, TRAINED)                                                                                             \
+    X(button, 46, TRAINED)                                                                                             \
     /* controls/levers.c */                                                                                            \
-    X(lever, 47, FIRST)                                                                                                \
-    X(switch, 48, FIRST)                                                                                               \
-    X(slider, 49, FIRST)                                                                                               \
-    X(crank, 50, FIRST)                                                                                                \
-    X(valve, 51, FIRST)                                                                                                \
-    X(joystick, 52, FIRST)                                                                                             \
-    X(game_controller, 53, FIRST)                                                                                      \
-    X(pedal, 54, FIRST)                                                                                                \
+    X(lever, 47, TRAINED)                                                                                              \
+    X(switch, 48, TRAINED)                                                                                             \
+    X(slider, 49, TRAINED)                                                                                             \
+    X(crank, 50, TRAINED)                                                                                              \
+    X(valve, 51, TRAINED)                                                                                              \
+    X(joystick, 52, TRAINED)                                                                                           \
+    X(game_controller, 53, TRAINED)                                                                                    \
+    X(pedal, 54, TRAINED)                                                                                              \
     /* controls/cockpit.c */                                                                                           \
-    X(control_panel, 76, FIRST)                                                                                        \
-    X(yoke, 78, FIRST)                                                                                                 \
-    X(throttle, 79, FIRST)                                                                                             \
-    X(avionics, 136, FIRST)                                                                                            \
-    X(switchboard, 137, FIRST)                                                                                         \
+    X(control_panel, 76, TRAINED)                                                                                      \
+    X(yoke, 78, TRAINED)                                                                                               \
+    X(throttle, 79, TRAINED)                                                                                           \
+    X(avionics, 136, TRAINED)                                                                                          \
+    X(switchboard, 137, TRAINED)                                                                                       \
     /* controls/gadget.c */                                                                                            \
-    X(gadget, 80, FIRST)                                                                                               \
+    X(gadget, 80, TRAINED)                                                                                             \
     /* controls/lever_stands.c */                                                                                      \
-    X(lever_stand, 152, FIRST)                                                                                         \
+    X(lever_stand, 152, TRAINED)                                                                                       \
     /* controls/presses.c */                                                                                           \
-    X(push_button, 155, FIRST)                                                                                         \
-    X(rocker_switch, 156, FIRST)                                                                                       \
-    X(pop_up_toaster, 157, FIRST)                                                                                      \
+    X(push_button, 155, TRAINED)                                                                                       \
+    X(rocker_switch, 156, TRAINED)                                                                                     \
+    X(pop_up_toaster, 157, TRAINED)                                                                                    \
     /* controls/pedestals.c */                                                                                         \
-    X(pedestal, 160, FIRST)                                                                                            \
+    X(pedestal, 160, TRAINED)                                                                                          \
     /* instruments/gauges.c */                                                                                         \
-    X(instrument, 77, FIRST)                                                                                           \
-    X(gauge, 138, FIRST)                                                                                               \
-    X(dashboard, 165, FIRST)                                                                                           \
+    X(instrument, 77, TRAINED)                                                                                         \
+    X(gauge, 138, TRAINED)                                                                                             \
+    X(dashboard, 165, TRAINED)                                                                                         \
     /* vehicles/vehicles.c */                                                                                          \
-    X(car, 81, FIRST)                                                                                                  \
-    X(two_wheeler, 82, FIRST)                                                                                          \
-    X(mobile_robot, 83, FIRST)                                                                                         \
-    X(trolley, 84, FIRST)                                                                                              \
+    X(car, 81, TRAINED)                                                                                                \
+    X(two_wheeler, 82, TRAINED)                                                                                        \
+    X(mobile_robot, 83, TRAINED)                                                                                       \
+    X(trolley, 84, TRAINED)                                                                                            \
     /* vehicles/chassis.c */                                                                                           \
-    X(chassis, 134, FIRST)                                                                                             \
-    X(wheelchair, 135, FIRST)                                                                                          \
+    X(chassis, 134, TRAINED)                                                                                           \
+    X(wheelchair, 135, TRAINED)                                                                                        \
     /* vehicles/bridge.c */                                                                                            \
-    X(passenger_bridge, 154, FIRST)                                                                                    \
+    X(passenger_bridge, 154, TRAINED)                                                                                  \
     /* aircraft/aircraft.c */                                                                                          \
-    X(aeroplane, 65, FIRST)                                                                                            \
-    X(helicopter, 66, FIRST)                                                                                           \
-    X(drone, 67, FIRST)                                                                                                \
-    X(windsock, 68, FIRST)                                                                                             \
-    X(submarine, 132, FIRST)                                                                                           \
+    X(aeroplane, 65, TRAINED)                                                                                          \
+    X(helicopter, 66, TRAINED)                                                                                         \
+    X(drone, 67, TRAINED)                                                                                              \
+    X(windsock, 68, TRAINED)                                                                                           \
+    X(submarine, 132, TRAINED)                                                                                         \
     /* aircraft/jet.c */                                                                                               \
-    X(jet, 133, FIRST)                                                                                                 \
+    X(jet, 133, TRAINED)                                                                                               \
     /* aircraft/airframes.c */                                                                                         \
-    X(airframe, 181, FIRST)                                                                                            \
-    X(slotted_wing, 182, FIRST)                                                                                        \
+    X(airframe, 181, TRAINED)                                                                                          \
+    X(slotted_wing, 182, TRAINED)                                                                                      \
     /* aircraft/gear.c */                                                                                              \
-    X(gear_leg, 183, FIRST)                                                                                            \
-    X(hull_bay, 184, FIRST)                                                                                            \
-    X(canopy, 185, FIRST)                                                                                              \
+    X(gear_leg, 183, TRAINED)                                                                                          \
+    X(hull_bay, 184, TRAINED)                                                                                          \
+    X(canopy, 185, TRAINED)                                                                                            \
     /* aircraft/holds.c */                                                                                             \
-    X(rotor_head, 186, FIRST)                                                                                          \
-    X(cargo_hold, 187, FIRST)                                                                                          \
+    X(rotor_head, 186, TRAINED)                                                                                        \
+    X(cargo_hold, 187, TRAINED)                                                                                        \
     /* watercraft/vessels.c */                                                                                         \
-    X(rov, 162, FIRST)                                                                                                 \
-    X(torpedo, 163, FIRST)                                                                                             \
-    X(boat, 164, FIRST)                                                                                                \
+    X(rov, 162, TRAINED)                                                                                               \
+    X(torpedo, 163, TRAINED)                                                                                           \
+    X(boat, 164, TRAINED)                                                                                              \
     /* robots/robots.c */                                                                                              \
-    X(gripper, 69, FIRST)                                                                                              \
-    X(robot_arm, 70, FIRST)                                                                                            \
-    X(legged_robot, 71, FIRST)                                                                                         \
-    X(pan_tilt, 72, FIRST)                                                                                             \
-    X(rail, 73, FIRST)                                                                                                 \
-    X(jetway, 74, FIRST)                                                                                               \
-    X(crane, 75, FIRST)                                                                                                \
+    X(gripper, 69, TRAINED)                                                                                            \
+    X(robot_arm, 70, TRAINED)                                                                                          \
+    X(legged_robot, 71, TRAINED)                                                                                       \
+    X(pan_tilt, 72, TRAINED)                                                                                           \
+    X(rail, 73, TRAINED)                                                                                               \
+    X(jetway, 74, TRAINED)                                                                                             \
+    X(crane, 75, TRAINED)                                                                                              \
     /* robots/linkages.c */                                                                                            \
-    X(claw, 146, FIRST)                                                                                                \
-    X(bar_legs, 147, FIRST)                                                                                            \
-    X(humanoid, 148, FIRST)                                                                                            \
-    X(bracket, 149, FIRST)                                                                                             \
+    X(claw, 146, TRAINED)                                                                                              \
+    X(bar_legs, 147, TRAINED)                                                                                          \
+    X(humanoid, 148, TRAINED)                                                                                          \
+    X(bracket, 149, TRAINED)                                                                                           \
     /* robots/manipulators.c */                                                                                        \
-    X(cobot_arm, 188, FIRST)                                                                                           \
-    X(scara, 189, FIRST)                                                                                               \
-    X(gantry, 190, FIRST)                                                                                              \
-    X(jaw_gripper, 191, FIRST)                                                                                         \
+    X(cobot_arm, 188, TRAINED)                                                                                         \
+    X(scara, 189, TRAINED)                                                                                             \
+    X(gantry, 190, TRAINED)                                                                                            \
+    X(jaw_gripper, 191, TRAINED)                                                                                       \
     /* robots/walkers.c */                                                                                             \
-    X(plate_legs, 192, FIRST)                                                                                          \
-    X(insect_robot, 193, FIRST)                                                                                        \
-    X(robot_hand, 194, FIRST)                                                                                          \
+    X(plate_legs, 192, TRAINED)                                                                                        \
+    X(insect_robot, 193, TRAINED)                                                                                      \
+    X(robot_hand, 194, TRAINED)                                                                                        \
     /* machines/wheels.c */                                                                                            \
-    X(wheel, 55, FIRST)                                                                                                \
+    X(wheel, 55, TRAINED)                                                                                              \
     /* machines/rotors.c */                                                                                            \
-    X(fan, 56, FIRST)                                                                                                  \
-    X(propeller, 57, FIRST)                                                                                            \
-    X(wind_turbine, 58, FIRST)                                                                                         \
-    X(globe, 59, FIRST)                                                                                                \
-    X(clock, 60, FIRST)                                                                                                \
-    X(turntable, 61, FIRST)                                                                                            \
-    X(radar, 62, FIRST)                                                                                                \
+    X(fan, 56, TRAINED)                                                                                                \
+    X(propeller, 57, TRAINED)                                                                                          \
+    X(wind_turbine, 58, TRAINED)                                                                                       \
+    X(globe, 59, TRAINED)                                                                                              \
+    X(clock, 60, TRAINED)                                                                                              \
+    X(turntable, 61, TRAINED)                                                                                          \
+    X(radar, 62, TRAINED)                                                                                              \
     /* machines/machines.c */                                                                                          \
-    X(roll_top, 102, FIRST)                                                                                            \
-    X(pivot_panel, 103, FIRST)                                                                                         \
-    X(telescope, 104, FIRST)                                                                                           \
-    X(gyroscope, 105, FIRST)                                                                                           \
-    X(turnstile, 106, FIRST)                                                                                           \
-    X(vending_machine, 107, FIRST)                                                                                     \
-    X(figure, 108, FIRST)                                                                                              \
-    X(gear_train, 109, FIRST)                                                                                          \
-    X(fairground_wheel, 110, FIRST)                                                                                    \
-    X(mixer, 111, FIRST)                                                                                               \
-    X(power_tool, 112, FIRST)                                                                                          \
-    X(press, 113, FIRST)                                                                                               \
-    X(balance, 114, FIRST)                                                                                             \
-    X(slats, 115, FIRST)                                                                                               \
+    X(roll_top, 102, TRAINED)                                                                                          \
+    X(pivot_panel, 103, TRAINED)                                                                                       \
+    X(telescope, 104, TRAINED)                                                                                         \
+    X(gyroscope, 105, TRAINED)                                                                                         \
+    X(turnstile, 106, TRAINED)                                                                                         \
+    X(vending_machine, 107, TRAINED)                                                                                   \
+    X(figure, 108, TRAINED)                                                                                            \
+    X(gear_train, 109, TRAINED)                                                                                        \
+    X(fairground_wheel, 110, TRAINED)                                                                                  \
+    X(mixer, 111, TRAINED)                                                                                             \
+    X(power_tool, 112, TRAINED)                                                                                        \
+    X(press, 113, TRAINED)                                                                                             \
+    X(balance, 114, TRAINED)                                                                                           \
+    X(slats, 115, TRAINED)                                                                                             \
     /* machines/solar.c */                                                                                             \
-    X(satellite, 141, FIRST)                                                                                           \
-    X(solar_case, 142, FIRST)                                                                                          \
-    X(solar_tracker, 143, FIRST)                                                                                       \
+    X(satellite, 141, TRAINED)                                                                                         \
+    X(solar_case, 142, TRAINED)                                                                                        \
+    X(solar_tracker, 143, TRAINED)                                                                                     \
     /* machines/dishes.c */                                                                                            \
-    X(dish, 144, FIRST)                                                                                                \
-    X(radar_tower, 145, FIRST)                                                                                         \
+    X(dish, 144, TRAINED)                                                                                              \
+    X(radar_tower, 145, TRAINED)                                                                                       \
     /* machines/winds.c */                                                                                             \
-    X(power_turbine, 167, FIRST)                                                                                       \
-    X(windmill, 168, FIRST)                                                                                            \
-    X(wind_mast, 169, FIRST)                                                                                           \
+    X(power_turbine, 167, TRAINED)                                                                                     \
+    X(windmill, 168, TRAINED)                                                                                          \
+    X(wind_mast, 169, TRAINED)                                                                                         \
     /* test_only/furniture/moderns.c */                                                                                \
     X(glass_case, 305, TEST_ONLY)                                                                                      \
     /* test_only/furniture/prams.c */                                                                                  \

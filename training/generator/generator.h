@@ -40,7 +40,7 @@ typedef struct dmg_object {
 
 /* What a category may be used for (set in categories.h). */
 enum {
-    DMG_SET_FIRST = 0,    /* trained on */
+    DMG_SET_TRAINED = 0,  /* trained on */
     DMG_SET_TEST_ONLY = 1 /* never trained on nor validated on */
 };
 

@@ -13,7 +13,7 @@ from .library import find_library
 SPLITS = {"train": 0, "validation": 1, "test": 2}
 PULLS = {name: pull for pull, name in enumerate(
     ("tangent", "exact", "chord", "room", "screen", "mixed", "careful"))}  # DM_LAB_PULL_*
-SETS = ("first", "test_only")  # DMG_SET_* of training/generator/generator.h
+SETS = ("trained", "test_only")  # DMG_SET_* of training/generator/generator.h
 
 
 class Kind(NamedTuple):
