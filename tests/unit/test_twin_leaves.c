@@ -45,6 +45,55 @@ static void a_frame_is_no_twin(void** state) {
     test_analysis_close(&a);
 }
 
+/* A frame round both leaves, or round a single leaf and a panel of another shape beside it. */
+static void make_window(float panel_high, float panel_thick) {
+    shape.vertex_count = shape.face_count = 0;
+    const float end = 2 * WIDE;
+    test_shape_box(&shape, (const float[]){0, 0, 0}, (const float[]){WIDE, HIGH, THICK}, 1);
+    test_shape_box(&shape, (const float[]){WIDE + 0.005f, 0, 0}, (const float[]){end, panel_high, panel_thick}, 0);
+    test_shape_box(&shape, (const float[]){-0.1f, -0.1f, -0.05f}, (const float[]){-0.01f, HIGH + 0.1f, 0.1f}, 0);
+    test_shape_box(&shape, (const float[]){end + 0.01f, -0.1f, -0.05f}, (const float[]){end + 0.1f, HIGH + 0.1f, 0.1f},
+                   0);
+    test_shape_box(&shape, (const float[]){-0.01f, -0.1f, -0.05f}, (const float[]){end + 0.01f, -0.01f, 0.1f}, 0);
+    test_shape_box(&shape, (const float[]){-0.01f, HIGH + 0.01f, -0.05f},
+                   (const float[]){end + 0.01f, HIGH + 0.1f, 0.1f}, 0);
+}
+
+static void a_leaf_in_the_same_frame_is_found(void** state) {
+    (void)state;
+    make_window(HIGH, THICK);
+    test_analysis_open(&a, &shape, 3);
+    assert_false(a.of_part.has_twin);
+    assert_float_equal(a.of_part.leaf_side[0], 0, 0); /* the longest side stands upright */
+    assert_float_equal(a.of_part.leaf_side[1] * a.of_part.box.axes[1][0], 1, 1e-3f);
+    test_analysis_close(&a);
+    make_window(HIGH / 2, 8 * THICK);
+    test_analysis_open(&a, &shape, 3);
+    assert_float_equal(a.of_part.leaf_side[1], 0, 0);
+    test_analysis_close(&a);
+    make_leaves(); /* without a frame */
+    test_analysis_open(&a, &shape, 3);
+    assert_float_equal(a.of_part.leaf_side[1], 0, 0);
+    test_analysis_close(&a);
+}
+
+static void a_turn_at_the_seam_of_a_frame_is_less_likely(void** state) {
+    (void)state;
+    make_window(HIGH, THICK);
+    test_analysis_open(&a, &shape, 3);
+    float probability[3] = {1, 1, 1};
+    dmi_candidate turns[3] = {{.type = DM_JOINT_REVOLUTE, .axis = {0, 1, 0}},
+                              {.type = DM_JOINT_REVOLUTE, .axis = {0, -1, 0}},
+                              {.type = DM_JOINT_REVOLUTE, .axis = {1, 0, 0}}};
+    dmi_frame_point_in(&a.mesh->frame, (const double[]){WIDE, 0, 0}, turns[0].origin); /* at the seam */
+    dmi_frame_point_in(&a.mesh->frame, (const double[]){0, 0, 0}, turns[1].origin);
+    dmi_frame_point_in(&a.mesh->frame, (const double[]){WIDE, 0, 0}, turns[2].origin); /* across it */
+    dmi_leaves_weigh(&a.of_part, turns, 3, probability);
+    assert_float_equal(logf(probability[0] / probability[1]), -1, 1e-4f);
+    assert_float_equal(probability[1], probability[2], 1e-6f);
+    test_analysis_close(&a);
+}
+
 static void a_wall_behind_or_a_wider_neighbour_is_no_twin(void** state) {
     (void)state;
     shape.vertex_count = shape.face_count = 0;
@@ -291,6 +340,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_mirror_image_beside_a_part_is_its_twin),
         cmocka_unit_test(a_frame_is_no_twin),
+        cmocka_unit_test(a_leaf_in_the_same_frame_is_found),
+        cmocka_unit_test(a_turn_at_the_seam_of_a_frame_is_less_likely),
         cmocka_unit_test(a_wall_behind_or_a_wider_neighbour_is_no_twin),
         cmocka_unit_test(far_edges_are_candidates),
         cmocka_unit_test(each_side_has_three_lines),

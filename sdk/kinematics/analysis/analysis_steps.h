@@ -13,7 +13,7 @@ dm_result dmi_analysis_find_slippage(dmi_arena* arena, dmi_part_analysis* analys
 /* protrusions.c: points with the widest gaps, the body's side of the box, points that protrude from it. */
 dm_result dmi_analysis_find_protrusions(dmi_arena* arena, dmi_part_analysis* analysis);
 
-/* twin.c: has_twin and twin_way. */
+/* twin.c: has_twin, twin_way and leaf_side. */
 void dmi_analysis_find_twin(dmi_part_analysis* analysis);
 
 /* clearance.c: clearance, from the body's faces in the box low .. high. moving[f]: 1 for the faces of the part. */

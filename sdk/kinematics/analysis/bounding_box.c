@@ -2,6 +2,7 @@
  * (Freeman and Shapira 1975). */
 #include "kinematics/analysis/bounding_box.h"
 
+#include <float.h>
 #include <stdlib.h>
 
 #include "math/linear3.h"
@@ -133,6 +134,11 @@ static float padded_volume(const dmi_box* box) {
 void dmi_box_centre(const dmi_box* box, float out[3]) {
     for (int k = 0; k < 3; k++) out[k] = 0;
     for (int k = 0; k < 3; k++) dmi_madd3(out, (box->high[k] + box->low[k]) / 2, box->axes[k], out);
+}
+
+float dmi_box_place(const dmi_box* box, int axis, const float point[3]) {
+    const float middle = (box->low[axis] + box->high[axis]) / 2, half = (box->high[axis] - box->low[axis]) / 2;
+    return (dmi_dot3(point, box->axes[axis]) - middle) / dmi_max(half, FLT_MIN);
 }
 
 void dmi_min_volume_box(const float (*points)[3], uint32_t count, const float (*directions)[3],

@@ -18,6 +18,8 @@ typedef struct dmi_rectangle {
 } dmi_rectangle;
 
 void dmi_box_centre(const dmi_box* box, float out[3]);
+/* Returns the place of a point along an axis of the box: -1 and 1 at its ends. */
+float dmi_box_place(const dmi_box* box, int axis, const float point[3]);
 /* Computes the box of least volume with one axis among the unit `directions`. count <= DMI_MAX_HULL_POINTS. */
 void dmi_min_volume_box(const float (*points)[3], uint32_t count, const float (*directions)[3],
                         uint32_t direction_count, dmi_box* out);

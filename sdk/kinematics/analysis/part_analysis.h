@@ -77,6 +77,9 @@ typedef struct dmi_part_analysis {
     float protrusion_spread, protrusion_share;
     bool has_twin;     /* the body near the part is nothing but the part's mirror image beside it */
     float twin_way[3]; /* unit, from the part towards its twin; along an axis of the box */
+    /* side of the box along its longest and its middle axis beyond which a leaf like the part stands in one frame with
+     * it: 1 along the axis, -1 against it, 0 none or both */
+    float leaf_side[2];
     /* how far the part may slide along each axis of the box, against it and along it, before the body stands in its
      * way, in sides of the box, at most DMI_MOST_CLEARANCE */
     float clearance[3][2];

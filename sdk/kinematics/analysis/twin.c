@@ -1,5 +1,5 @@
 /* Finds the part's twin: its mirror image beside it, where the body near the part is nothing else, as of two leaves
- * without a frame. */
+ * without a frame. And finds a leaf like it in the same frame. */
 #include "kinematics/analysis/analysis_steps.h"
 
 #define PART_POINTS 128  /* compared; by hand */
@@ -8,6 +8,13 @@
 #define ALIKE 0.03f      /* part diagonals: mean distance from the other's image; by hand */
 #define UNLIKE 0.25f     /* part diagonals: no point counts for more; by hand */
 #define KNOWN_SHARE 0.5f /* share of the part's points whose image must lie where the body is sampled; by hand */
+
+/* A frame: so many samples of the body lie from here to there beyond a side of the box, in half sides, and nearer than
+ * this to the leaf's plane, in half thicknesses; by hand. */
+#define FRAME_SAMPLES 9
+#define FRAME_BEGINS 0.98f
+#define FRAME_ENDS 1.3f
+#define FRAME_DEPTH 2.0f
 
 enum { BOX_SIDES = 6 };
 
@@ -53,10 +60,39 @@ static float compare(const dmi_part_analysis* a, const float way[3]) {
     return dmi_max(back, image_distance(a, a->points, PART_POINTS, &a->body_grid, way, at, true));
 }
 
+/* Returns whether a frame bounds the part beyond the end of an axis of its box, the longest (0) or the middle one (1).
+ */
+static bool has_frame(const dmi_part_analysis* a, int axis, float sign) {
+    int samples = 0;
+    for (uint32_t i = 0; i < a->near_count; i++) {
+        const float* p = a->near_points[i];
+        const float place = sign * dmi_box_place(&a->box, axis, p);
+        samples += place > FRAME_BEGINS && place < FRAME_ENDS && fabsf(dmi_box_place(&a->box, 1 - axis, p)) < 1 &&
+                   fabsf(dmi_box_place(&a->box, 2, p)) < FRAME_DEPTH;
+    }
+    return samples >= FRAME_SAMPLES;
+}
+
+/* Returns whether the body holds the part's mirror image beyond the end of an axis, and a frame beyond the other. */
+static bool has_leaf(const dmi_part_analysis* a, int axis, float sign) {
+    float way[3] = {0};
+    dmi_madd3(way, sign, a->box.axes[axis], way);
+    const float side = end_along((const float(*)[3])a->extreme_points, a->extreme_point_count, way, 1);
+    return image_distance(a, a->points, PART_POINTS, &a->body_grid, way, side, true) < ALIKE &&
+           has_frame(a, axis, -sign);
+}
+
+static void find_leaf(dmi_part_analysis* analysis) {
+    for (int axis = 0; axis < 2; axis++)
+        analysis->leaf_side[axis] = (float)(has_leaf(analysis, axis, 1) - has_leaf(analysis, axis, -1));
+}
+
 void dmi_analysis_find_twin(dmi_part_analysis* analysis) {
     float least = ALIKE;
     analysis->has_twin = false;
+    analysis->leaf_side[0] = analysis->leaf_side[1] = 0;
     if (analysis->near_count == 0) return;
+    find_leaf(analysis);
     for (int i = 0; i < BOX_SIDES; i++) {
         float way[3];
         for (int k = 0; k < 3; k++) way[k] = i % 2 ? -analysis->box.axes[i / 2][k] : analysis->box.axes[i / 2][k];

@@ -1,5 +1,5 @@
-/* Weighs turns of a leaf beside its twin by where their axis passes it, at the seam, at the far side, or at an end, and
- * slides by whether the body stands in their way. */
+/* Weighs turns of a leaf by where their axis passes its twin, or a leaf in the same frame: at the seam, at the far
+ * side, or at an end. Weighs slides by whether the body stands in their way. */
 #include "kinematics/ranking/twin_leaves.h"
 
 #include <float.h>
@@ -14,6 +14,11 @@
 #define OUTSIDE 5.0f    /* bonus of turns along the seam, at the side away from it */
 #define AT_SEAM (-4.0f) /* bonus of turns along the seam, at the seam */
 #define AT_END 3.0f     /* bonus of turns across the seam, at one of its ends: flaps side by side */
+
+/* Log-likelihood of turns at the seam with a leaf in the same frame: such leaves hang on the frame. By hand: on
+ * generated objects any value from -0.5 to -1.5 is as good (docs/research/trials_joints.md). */
+#define AT_LEAF (-1.0f)
+#define ACROSS 0.3f /* cosine between an axis and each of two others, below which it runs along the third; by hand */
 
 #define BLOCKED 0.08f /* sides: a slide with less clearance than this both ways is blocked; by hand */
 /* Log-likelihood of blocked slides, by hand. The ranker has seen them, since displaced parts of the generator's messy
@@ -40,20 +45,23 @@ static leaf_sides sides_of(const dmi_part_analysis* a) {
     return sides;
 }
 
-/* Returns the place of a point along a side of the box: -1 and 1 at its ends. */
-static float place_along(const dmi_box* box, int side, const float point[3]) {
-    const float middle = (box->low[side] + box->high[side]) / 2, half = (box->high[side] - box->low[side]) / 2;
-    return (dmi_dot3(point, box->axes[side]) - middle) / dmi_max(half, FLT_MIN);
-}
-
 static float log_likelihood_beside_twin(const dmi_part_analysis* a, const leaf_sides* sides, const dmi_candidate* c) {
     if (c->type == DM_JOINT_PRISMATIC) return 0;
     if (fabsf(dmi_dot3(c->axis, a->box.axes[sides->along])) > ALONG) {
-        const float place = sides->sign * place_along(&a->box, sides->across, c->origin);
+        const float place = sides->sign * dmi_box_place(&a->box, sides->across, c->origin);
         return place < -EDGE ? OUTSIDE : place > EDGE ? AT_SEAM : 0;
     }
     const bool crosses = fabsf(dmi_dot3(c->axis, a->box.axes[sides->across])) > ALONG;
-    return crosses && fabsf(place_along(&a->box, sides->along, c->origin)) > EDGE ? AT_END : 0;
+    return crosses && fabsf(dmi_box_place(&a->box, sides->along, c->origin)) > EDGE ? AT_END : 0;
+}
+
+static float log_likelihood_beside_leaf(const dmi_part_analysis* a, const dmi_candidate* c) {
+    if (c->type == DM_JOINT_PRISMATIC || fabsf(dmi_dot3(c->axis, a->box.axes[2])) > ACROSS) return 0;
+    for (int axis = 0; axis < 2; axis++) {
+        const bool crosses = fabsf(dmi_dot3(c->axis, a->box.axes[axis])) > ACROSS;
+        if (!crosses && a->leaf_side[axis] * dmi_box_place(&a->box, axis, c->origin) > EDGE) return AT_LEAF;
+    }
+    return 0;
 }
 
 uint32_t dmi_twin_add_candidates(const dmi_part_analysis* analysis, const dmi_drag_hint* hint,
@@ -88,7 +96,8 @@ void dmi_leaves_weigh(const dmi_part_analysis* analysis, const dmi_candidate* ca
     float sum = 0;
     for (uint32_t i = 0; i < count; i++) {
         float log_likelihood = log_likelihood_of_slide(analysis, &candidates[i]);
-        if (analysis->has_twin) log_likelihood += log_likelihood_beside_twin(analysis, &sides, &candidates[i]);
+        log_likelihood += analysis->has_twin ? log_likelihood_beside_twin(analysis, &sides, &candidates[i])
+                                             : log_likelihood_beside_leaf(analysis, &candidates[i]);
         sum += probability[i] *= dmi_expf(log_likelihood);
     }
     for (uint32_t i = 0; i < count; i++) probability[i] /= dmi_max(sum, FLT_MIN);

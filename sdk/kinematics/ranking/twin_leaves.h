@@ -11,8 +11,8 @@
 uint32_t dmi_twin_add_candidates(const dmi_part_analysis* analysis, const dmi_drag_hint* hint,
                                  dmi_candidate* candidates, uint32_t count);
 
-/* Multiplies the probabilities by the likelihoods of turns, seen from the seam with a twin, and of slides, seen from
- * what stands in their way. They sum to 1 again. */
+/* Multiplies the probabilities by the likelihoods of turns, seen from the seam with a twin or with a leaf in the same
+ * frame, and of slides, seen from what stands in their way. They sum to 1 again. */
 void dmi_leaves_weigh(const dmi_part_analysis* analysis, const dmi_candidate* candidates, uint32_t count,
                       float* probability);
 
