@@ -6,8 +6,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 features=sdk/kinematics/features analysis=sdk/kinematics/analysis
 mutations=(
-    "the sweep's collision test inverted|$features/sweep_features.c|s/distance\[i\] < hit_limit/distance[i] > hit_limit/|test_golden_features"
-    "the limit sweep's collision test inverted|sdk/kinematics/limits/sweep.c|s/(distance\[i\] < limit)/(distance[i] > limit)/|test_limits"
+    "the sweep's collision test inverted|$features/sweep_features.c|s/= meets\[i\]/= !meets[i]/|test_golden_features"
+    "the limit sweep's collision test inverted|sdk/kinematics/limits/sweep.c|s/hits += meets\[i\]/hits += !meets[i]/|test_limits"
     "relative features against the wrong type|$features/candidate_features.c|s/best\[!type\]/best[type]/|test_golden_features"
     "the protrusion never found|$analysis/protrusions.c|s/\(define MIN_PROTRUSION_POINTS\) 8 /\1 9999/|test_golden_features"
     "the network-free share .2 -> .9|sdk/kinematics/ranking/ranker.c|s/\(define NETWORK_FREE_SHARE\) 0.2f/\1 0.9f/|test_ranker test_golden_features"
