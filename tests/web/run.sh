@@ -39,6 +39,7 @@ grep -E '^(not ok|# (tests|pass|fail) )' "$work/tests"
 
 # The page, with nothing from elsewhere.
 node samples/11_web/build.mjs
+echo '{"type": "module"}' > build/web/package.json # node 18 takes the page's .js files for CommonJS otherwise
 node --test tests/web/test_parts.mjs > "$work/parts" 2>&1 || { fail "what the page keeps of a part"; grep -E '^not ok' "$work/parts" >&2 || true; }
 node tests/web/page.mjs build/web/site || fail "the page"
 
