@@ -37,7 +37,7 @@ sized=$(sed -n '/define DM_SIZED_STRUCTS/,/[^\\]$/s/^ *X(\(dm_[a-z_0-9]*\)).*/\1
 grown=$(grep -v '^#' tests/abi/grown.txt || true)
 for name in $grown; do grep -qx "${name%.*}" <<< "$sized" || complain "grown.txt: $name may not grow"; done
 {
-    for name in $grown; do [[ $name = *.* ]] || printf '[suppress_type]\ntype_kind = struct\nname = %s\nhas_data_member_inserted_at = end\n' "$name"; done
+    for name in $grown; do [[ $name = *.* ]] || printf '[suppress_type]\ntype_kind = struct\nname = %s\nhas_data_member_inserted_at = end\nhas_size_change = yes\n' "$name"; done
     printf '[suppress_type]\nname = dm_context\n' # callers know a pointer to it alone
 } > "$work/allowed.ini"
 

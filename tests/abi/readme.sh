@@ -8,10 +8,10 @@ code=$(sed -n '/^```c$/,/^```$/p' README.md | grep -v '^```')
 compiles() {
     "$1" -x "$2" -std="$3" -Wall -Wextra -Wpedantic -Wconversion "${@:4}" -Werror -fsyntax-only -Iplugin_api/include - <<< "$code"
 }
+# g++, and clang from 19 on, warn of every field that a designator leaves out, which is what zero defaults are for.
 for standard in c11 c17; do
     compiles gcc c $standard
-    compiles clang c $standard
+    compiles clang c $standard -Wno-missing-field-initializers
 done
-# g++ warns of every field that a designator leaves out, which is what zero defaults are for.
 compiles g++ c++ c++20 -Wno-missing-field-initializers
-compiles clang++ c++ c++20
+compiles clang++ c++ c++20 -Wno-missing-field-initializers

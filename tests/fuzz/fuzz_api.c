@@ -487,7 +487,8 @@ static void save_an_object(void) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-    fuzz_input in = {data, size};
+    static fuzz_input in; /* `now` points to it beyond this call */
+    in = (fuzz_input){data, size};
     if (saved_size == 0) save_an_object();
     now = (player){.in = &in};
     has_saved_drag = false;

@@ -3,6 +3,10 @@
 # it (hosts.sh), and the library from the unpacked source by CMakeLists.txt: the same answers, the same exports.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+if ! grep -q '^VERSION_ID="12"' /etc/os-release; then
+    echo "release: not tried, archives are made on Debian 12: later systems make libraries that need their own glibc"
+    exit
+fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 dist=$PWD/build/dist
