@@ -16,7 +16,7 @@ echo "module: $(stat -c %s build/web/dragmesh.wasm) bytes, $size gzipped"
 [ "$size" -le "$most" ] || fail "the module has $size bytes gzipped, more than $most"
 
 # The same bits as C, compiled for the same machine; close to the native library.
-emcc -O1 -std=c17 -msimd128 -Iplugin_api/include -Isamples/common bindings/scenario/scenario.c build/web/lib/libdragmesh_core.a \
+emcc -O1 -sTOTAL_STACK=1MB -std=c17 -msimd128 -Iplugin_api/include -Isamples/common bindings/scenario/scenario.c build/web/lib/libdragmesh_core.a \
     -sNODERAWFS=1 -sSINGLE_FILE=1 -sALLOW_MEMORY_GROWTH=1 -sWASM_BIGINT -o "$work/scenario.js"
 node "$work/scenario.js" sdk/models > "$work/c.txt"
 node bindings/js/scenario.mjs build/web/dragmesh.wasm sdk/models > "$work/js.txt"
@@ -27,7 +27,7 @@ gcc -std=c17 -Iplugin_api/include -Isamples/common bindings/scenario/scenario.c 
 "$work/native" > "$work/native.txt"
 node tests/web/compare.mjs "$work/native.txt" "$work/js.txt" || fail "JavaScript is far from the native library"
 
-emcc -O1 -std=c17 -msimd128 -ffp-contract=off -Iplugin_api/include -Isamples/common tests/abi/caller.c build/web/lib/libdragmesh_core.a \
+emcc -O1 -sTOTAL_STACK=1MB -std=c17 -msimd128 -ffp-contract=off -Iplugin_api/include -Isamples/common tests/abi/caller.c build/web/lib/libdragmesh_core.a \
     -sNODERAWFS=1 -sSINGLE_FILE=1 -sALLOW_MEMORY_GROWTH=1 -sWASM_BIGINT -o "$work/caller.js"
 tests/e2e/determinism.sh against web $scene_apart node "$work/caller.js" || fail "the fixed scene has other answers"
 
