@@ -53,7 +53,7 @@ extern "C" {
 #define DM_VERSION_MINOR 3
 #define DM_VERSION_PATCH 0
 /* It is 1 while the version that the three numbers name is in development, and 0 in its release. */
-#define DM_VERSION_DEVELOPMENT 1
+#define DM_VERSION_DEVELOPMENT 0
 /* One number that rises with the version; dm_version returns that of the library in use. It is even in a release, whose
  * patch number is even. In development it is odd, one less than in the release to come. So 0.3.0 in development lies
  * above every release before it and below 0.3.0. Its bits read 0.2.4095, which is never released. */
