@@ -1,8 +1,8 @@
 /* The C interface of dragmesh. Written by scripts/describe from the public headers: not to be edited. */
 enum { DM_VERSION_MAJOR = 0 };
-enum { DM_VERSION_MINOR = 3 };
+enum { DM_VERSION_MINOR = 4 };
 enum { DM_VERSION_PATCH = 0 };
-enum { DM_VERSION_DEVELOPMENT = 0 };
+enum { DM_VERSION_DEVELOPMENT = 1 };
 enum { DM_MOTION_FRAMES = 16 };
 enum { DM_MAX_HYPOTHESES = 8 };
 enum { DM_MAX_PARTS = 4096 };

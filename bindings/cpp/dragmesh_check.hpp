@@ -10,9 +10,9 @@
 #include "dragmesh/ext/gltf_rig.h"
 
 static_assert(DM_VERSION_MAJOR == 0, "DM_VERSION_MAJOR has another value");
-static_assert(DM_VERSION_MINOR == 3, "DM_VERSION_MINOR has another value");
+static_assert(DM_VERSION_MINOR == 4, "DM_VERSION_MINOR has another value");
 static_assert(DM_VERSION_PATCH == 0, "DM_VERSION_PATCH has another value");
-static_assert(DM_VERSION_DEVELOPMENT == 0, "DM_VERSION_DEVELOPMENT has another value");
+static_assert(DM_VERSION_DEVELOPMENT == 1, "DM_VERSION_DEVELOPMENT has another value");
 static_assert(DM_MOTION_FRAMES == 16, "DM_MOTION_FRAMES has another value");
 static_assert(DM_MAX_HYPOTHESES == 8, "DM_MAX_HYPOTHESES has another value");
 static_assert(DM_MAX_PARTS == 4096, "DM_MAX_PARTS has another value");

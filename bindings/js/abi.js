@@ -2,8 +2,8 @@
 
 // Hash of the description: b13a076611240442
 
-export const VERSION = '0.3.0';
-export const VERSION_NUMBER = 12288;
+export const VERSION = '0.4.0-dev';
+export const VERSION_NUMBER = 16383;
 export const MOTION_FRAMES = 16;
 export const MAX_HYPOTHESES = 8;
 export const MAX_PARTS = 4096;

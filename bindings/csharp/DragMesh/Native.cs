@@ -8,10 +8,10 @@ namespace DragMesh
     public static class Constants
     {
         public const int DM_VERSION_MAJOR = 0;
-        public const int DM_VERSION_MINOR = 3;
+        public const int DM_VERSION_MINOR = 4;
         public const int DM_VERSION_PATCH = 0;
         /// <summary>It is 1 while the version that the three numbers name is in development, and 0 in its release.</summary>
-        public const int DM_VERSION_DEVELOPMENT = 0;
+        public const int DM_VERSION_DEVELOPMENT = 1;
         /// <summary>Number of key poses of a generated motion (paper: T).</summary>
         public const int DM_MOTION_FRAMES = 16;
         /// <summary>Most hypotheses kept for one part.</summary>

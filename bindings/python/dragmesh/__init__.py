@@ -12,7 +12,7 @@ from .values import (Axes, Error, Event, Go, InputFlag, Intent, JointBasis, Join
                      pose_inverse, pose_matrix, pose_multiply, version)
 from .whole_file import whole_file, write_together, write_whole
 
-__version__ = "0.3.0"
+__version__ = "0.4.0.dev0"
 __all__ = ["Asset", "Axes", "Camera", "Context", "Drag", "Error", "Event", "Gltf", "Go", "Hit", "Hypothesis", "InputFlag", "Intent", "Joint",
            "JointBasis", "JointFrame", "JointSource", "JointType", "LinkKind", "Model", "Motion", "Object", "PartInfo", "PartState",
            "Phase", "Picking", "Pose", "RIG_FORMATS", "Ray", "Rule", "Scene", "Status", "StepFlag", "Vec3", "export_rig", "joint_frame", "joint_pose",

@@ -50,13 +50,13 @@ extern "C" {
 #endif
 
 #define DM_VERSION_MAJOR 0
-#define DM_VERSION_MINOR 3
+#define DM_VERSION_MINOR 4
 #define DM_VERSION_PATCH 0
 /* It is 1 while the version that the three numbers name is in development, and 0 in its release. */
-#define DM_VERSION_DEVELOPMENT 0
+#define DM_VERSION_DEVELOPMENT 1
 /* One number that rises with the version; dm_version returns that of the library in use. It is even in a release, whose
- * patch number is even. In development it is odd, one less than in the release to come. So 0.3.0 in development lies
- * above every release before it and below 0.3.0. Its bits read 0.2.4095, which is never released. */
+ * patch number is even. In development it is odd, one less than in the release to come. So 0.4.0 in development lies
+ * above every release before it and below 0.4.0. Its bits read 0.3.4095, which is never released. */
 #define DM_VERSION (((DM_VERSION_MAJOR << 22) | (DM_VERSION_MINOR << 12) | DM_VERSION_PATCH) - DM_VERSION_DEVELOPMENT)
 
 /* Number of key poses of a generated motion (paper: T). */

@@ -5,7 +5,7 @@ import sys
 bl_info = {
     "name": "dragmesh: make openable",
     "author": "The dragmesh authors",
-    "version": (0, 3, 0),
+    "version": (0, 4, 0),
     "blender": (3, 4, 0),
     "location": "View3D > Sidebar > dragmesh",
     "description": "Finds out how parts move, and gives them pivot, limits and an animation",

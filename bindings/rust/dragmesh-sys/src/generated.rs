@@ -2,10 +2,10 @@
 use std::os::raw::{c_char, c_void};
 
 pub const DM_VERSION_MAJOR: i32 = 0;
-pub const DM_VERSION_MINOR: i32 = 3;
+pub const DM_VERSION_MINOR: i32 = 4;
 pub const DM_VERSION_PATCH: i32 = 0;
 /// It is 1 while the version that the three numbers name is in development, and 0 in its release.
-pub const DM_VERSION_DEVELOPMENT: i32 = 0;
+pub const DM_VERSION_DEVELOPMENT: i32 = 1;
 /// Number of key poses of a generated motion (paper: T).
 pub const DM_MOTION_FRAMES: i32 = 16;
 /// Most hypotheses kept for one part.
