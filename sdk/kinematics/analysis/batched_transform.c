@@ -1,6 +1,8 @@
 /* Keeps coordinates separated, so that the loops vectorise over points. */
 #include "kinematics/analysis/batched_transform.h"
 
+#include <stdbool.h>
+
 #include "base/compiler.h"
 #include "base/cpu.h"
 #include "math/linear3.h"
@@ -8,6 +10,16 @@
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
+
+uint32_t dmi_put_free_points_first(const dmi_distance_grid* grid, const float (*points)[3], uint32_t count,
+                                   float (*out)[3]) {
+    uint32_t free = 0, held = count;
+    for (uint32_t i = 0; i < count; i++) {
+        const bool is_free = dmi_distance_grid_distance(grid, points[i]) > DMI_TOUCH_CELLS * grid->cell;
+        dmi_copy3(points[i], out[is_free ? free++ : --held]);
+    }
+    return free;
+}
 
 void dmi_batched_transform_revolute(const float axis[3], const float origin[3], const float (*points)[3],
                                     uint32_t count, dmi_batched_transform* out) {

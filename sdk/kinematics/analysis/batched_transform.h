@@ -19,6 +19,12 @@ static inline uint32_t dmi_whole_batches(uint32_t count) {
     return (count + DMI_TRANSFORM_BATCH - 1) / DMI_TRANSFORM_BATCH * DMI_TRANSFORM_BATCH;
 }
 
+#define DMI_TOUCH_CELLS 2.1f /* cells of a grid: a point that is nearer to its samples touches them; by hand */
+
+/* Copies the points so that those that do not touch the grid's samples come first. Returns how many do not. */
+uint32_t dmi_put_free_points_first(const dmi_distance_grid* grid, const float (*points)[3], uint32_t count,
+                                   float (*out)[3]);
+
 /* Decompose the points about the axis (unit). count <= DMI_POINT_BATCH. */
 void dmi_batched_transform_revolute(const float axis[3], const float origin[3], const float (*points)[3],
                                     uint32_t count, dmi_batched_transform* out);

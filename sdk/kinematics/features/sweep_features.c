@@ -15,21 +15,14 @@ static const float step_sine[STEPS] = {0.059964006f, 0.099833417f, 0.14943813f, 
                                        0.60518641f,  0.71735609f,  0.84147098f, 0.93203909f, 0.98544973f};
 static const float step_share[STEPS] = {0.04f, 0.08f, 0.12f, 0.18f, 0.25f, 0.33f, 0.41f, 0.5f, 0.61f, 0.73f, 0.85f};
 
-#define TOUCH_CELLS 2.1f /* cells of the body's grid: nearer than this a point touches the body; by hand */
-
 typedef struct sweep {
     float hit[2][STEPS], detached[2][STEPS], touch[2][STEPS]; /* one way: along the joint; the other: against it */
 } sweep;
 
 void dmi_sweep_features_begin(dmi_feature_context* context) {
     const dmi_part_analysis* a = context->analysis;
-    uint32_t free = 0, held = DMI_SWEPT_POINTS;
-    for (int i = 0; i < DMI_SWEPT_POINTS; i++) {
-        const float limit = TOUCH_CELLS * a->body_grid.cell;
-        const bool is_free = dmi_distance_grid_distance(&a->body_grid, a->points[i]) > limit;
-        dmi_copy3(a->points[i], context->swept[is_free ? free++ : --held]);
-    }
-    context->free_count = free;
+    context->free_count =
+        dmi_put_free_points_first(&a->body_grid, (const float(*)[3])a->points, DMI_SWEPT_POINTS, context->swept);
 }
 
 /* Returns the third smallest distance: a couple of points may lag behind a part that has left the body. */
@@ -90,7 +83,7 @@ static void sweep_side(const dmi_feature_context* context, const dmi_candidate* 
         float distance[DMI_POINT_BATCH];
         moved->count = DMI_SWEPT_POINTS;
         dmi_batched_transform_distances(moved, cosine, sine, shift, body, distance);
-        out->touch[side][step] = share_nearer(distance, TOUCH_CELLS * body->cell);
+        out->touch[side][step] = share_nearer(distance, DMI_TOUCH_CELLS * body->cell);
         out->detached[side][step] = third_smallest(distance) / context->analysis->diagonal;
     }
 }

@@ -7,7 +7,6 @@
 
 #define STOPPED 0.03f      /* share of the free points that must meet the body; by hand */
 #define JAMMED 0.15f       /* share that no gap or thin shell explains; by hand */
-#define TOUCH_CELLS 2.1f   /* cells of the body's grid; a point that is nearer touches the body at rest; by hand */
 #define LEAST_EXTENT 0.01f /* least extent along the axis, object sizes; by hand */
 #define ROUND_TURNS 3      /* turns at which roundness is measured, a third of the points each … */
 #define FIRST_ROUND 0.4f   /* … rad; by hand: no fraction of a turn … */
@@ -73,17 +72,6 @@ float dmi_sweep_roundness(const dmi_sweep* s) {
     return mean / s->analysis->diagonal;
 }
 
-/* Counts the points that do not touch the body at rest. Writes these first, then the others. */
-static int32_t sort_free_first(const dmi_part_analysis* a, float out_points[DMI_SWEEP_POINTS][3]) {
-    int32_t free = 0, held = DMI_SWEEP_POINTS;
-    for (uint32_t i = 0; i < DMI_SWEEP_POINTS; i++) {
-        const float distance = dmi_distance_grid_distance(&a->body_grid, a->points[i]);
-        const bool is_free = distance > TOUCH_CELLS * a->body_grid.cell;
-        dmi_copy3(a->points[i], out_points[is_free ? free++ : --held]);
-    }
-    return free;
-}
-
 static void carry(const dm_joint* joint, const float (*points)[3], uint32_t count, dmi_batched_transform* out) {
     const float axis[3] = {joint->axis.x, joint->axis.y, joint->axis.z};
     const float origin[3] = {joint->origin.x, joint->origin.y, joint->origin.z};
@@ -99,7 +87,8 @@ void dmi_sweep_make(const dmi_part_analysis* analysis, const dm_joint* joint, dm
     out->analysis = analysis;
     out->joint = joint;
     float points[DMI_SWEEP_POINTS][3];
-    out->free_count = sort_free_first(analysis, points);
+    out->free_count = (int32_t)dmi_put_free_points_first(&analysis->body_grid, (const float(*)[3])analysis->points,
+                                                         DMI_SWEEP_POINTS, points);
     carry(joint, analysis->points, DMI_SWEEP_POINTS, &out->moved);
     carry(joint, (const float(*)[3])points, dmi_whole_batches((uint32_t)out->free_count), &out->moved_free);
     float low, high;
