@@ -63,7 +63,7 @@ dm_result dmi_asset_facts_make(dmi_arena* arena, const dmi_node_cells* g, const 
                                                             g->high_of[m], g->area[m]);
     }
     out->largest_share = out->cell_count > 0 ? dmi_cells_of(g, out->largest) / (float)out->cell_count : 0;
-    return DM_OK;
+    return dmi_asset_facts_add_layers(arena, g, out);
 }
 
 /* ---- features ---- */
@@ -251,6 +251,7 @@ dm_result dmi_set_features_make(dmi_arena* arena, const dmi_node_cells* grid, co
         put_touched_region(&r, &set);
         put_rest(&r, &set, stack, seen);
         dmi_put_openings(&r, &set, facts, ways, nodes);
+        dmi_put_standing(&r, &set, facts, ways);
         assert(r.count == DMI_SET_FEATURES);
     }
     dmi_arena_rewind(arena, mark);

@@ -19,6 +19,11 @@ typedef struct dmi_asset_facts {
     uint32_t cell_count;
     uint32_t* alike; /* node -> other nodes of the same extents and area */
     const dmi_node_labels* labels;
+    /* Outer sides (set_standing.c): each node's cells in the outer layer of each side of the object's box, the cells
+     * that a side's outline has, and how full of the nodes' cells it is; the fullest side. */
+    uint32_t (*layers)[DMI_GRID_SIDES];
+    float cells_of_side[DMI_GRID_SIDES], fullness[DMI_GRID_SIDES];
+    int ground;
 } dmi_asset_facts;
 
 /* `labels` must outlive `out`; its units are the grid's nodes. */
@@ -67,9 +72,30 @@ enum {
 void dmi_put_openings(dmi_row* row, const dmi_node_set* set, const dmi_asset_facts* facts,
                       const dmi_set_way ways[DMI_GRID_SIDES], const uint32_t* nodes);
 
+/* ---- how a set stands in the object (set_standing.c) ---- */
+
+#define DMI_STANDING_FEATURES 25
+
+/* Where each group of numbers begins. */
+enum {
+    DMI_STANDING_COVER = 0,  /* the most of an outer side's outline that the set covers, and that the rest does */
+    DMI_STANDING_GROUND = 2, /* how full the ground and the side across from it are; the set's shares of both */
+    DMI_STANDING_PLACE = 6,  /* where it begins and ends above the ground, by the object's height; its height by its
+                                longer and by its shorter other extent */
+    DMI_STANDING_WAYS = 10,  /* collisions of its ways: two away from the ground and that way's rank, one towards it,
+                                three of the freest along it; exposure towards the ground and away from it */
+    DMI_STANDING_SHARES = 19 /* its shares of the six outer layers, largest first */
+};
+
+/* Adds the outer sides to facts that have the object's box. */
+dm_result dmi_asset_facts_add_layers(dmi_arena* arena, const dmi_node_cells* grid, dmi_asset_facts* facts);
+/* Puts DMI_STANDING_FEATURES numbers. ways: of dmi_measure_ways. */
+void dmi_put_standing(dmi_row* row, const dmi_node_set* set, const dmi_asset_facts* facts,
+                      const dmi_set_way ways[DMI_GRID_SIDES]);
+
 /* ---- all of them ---- */
 
-#define DMI_SET_FEATURES (80 + DMI_OPENING_FEATURES)
+#define DMI_SET_FEATURES (80 + DMI_OPENING_FEATURES + DMI_STANDING_FEATURES)
 
 /* What a set's features take from the grouping and not from its shape. */
 typedef struct dmi_set_links {
