@@ -249,7 +249,7 @@ static bool widen_all(const unsigned char* data, size_t count, float* out) {
     return widen_plain(data, count, out);
 }
 
-/* Without a branch, so that it becomes vector code. */
+/* Has no branch, so that it becomes vector code. */
 static bool are_finite(const float* numbers, size_t count) {
     const uint32_t exponent = 0x7f800000u;
     uint32_t found = 0;

@@ -45,12 +45,12 @@ typedef struct dmi_top_tree {
     dmi_env* env;
     dmi_top_node* nodes;
     dmi_top_leaf* leaves;
-    dmi_top_item* items[DMI_TOP_CHUNKS]; /* by leaf: a chunk more each time the tree grows, so that none is copied */
+    dmi_top_item* items[DMI_TOP_CHUNKS]; /* grow by a chunk, so that none is copied */
     dmi_box_item* sorted;                /* scratch of a rebuild */
     uint32_t root;                       /* reference; DMI_TOP_NONE when empty */
     uint32_t levels;                     /* most levels of nodes */
     uint32_t capacity;                   /* capacity of the arrays */
-    uint32_t chunks;                     /* of items */
+    uint32_t chunks;                     /* chunks in use */
     uint32_t placed_count;               /* leaves in the tree */
     uint32_t free_leaf, free_node;
     uint32_t waiting;                 /* leaves, in `sorted` */

@@ -46,7 +46,7 @@ static bool read_tree(const raw_tree* raw, dmi_tree_node* nodes, float* scores, 
             level_end = left;
             level++;
         }
-        const uint32_t leaf = (uint32_t)(columns[n] >> 31), split = ~leaf; /* all bits, or none */
+        const uint32_t leaf = 0u - (uint32_t)(columns[n] < 0), split = ~leaf; /* all bits, or none */
         bad |= split & ((uint32_t)(left <= n) | (uint32_t)(left >= DMI_TREE_NODES - 1));
         nodes[n].value = choose(leaf, INFINITY, raw->value[n]);
         nodes[n].column = (uint8_t)((uint32_t)columns[n] & split);
