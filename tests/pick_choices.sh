@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# tests/pick_choices.sh BUILD_FOLDER — what scripts/build --pick=embree, portable and none leave out: the library links
+# tests/pick_choices.sh [BUILD_FOLDER] — what scripts/build --pick=embree, portable and none leave out: the library links
 # without it, and the tests of picking pass with what is left. Compiles the room `pick` alone; all else is the build's.
 set -euo pipefail
-build=$(realpath "$1")
+build=$(realpath "${1:-"$(dirname "$0")/../build/release"}")
 cd "$(dirname "$0")/.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -5,18 +5,43 @@
 
 #include "base/compiler.h"
 
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
 #define LANES 4 /* floats of a vector; compilers split it where a machine has none */
 #define GROUPS (DMI_PANEL / LANES)
 #define TILE_ROWS 2 /* sums of eight vectors, in 16 registers */
 
 typedef DMI_VECTOR(float, LANES) lanes;
 
+#if defined(__SSE__)
+/* Packs four inputs of a whole panel, which lie side by side in the source. */
+static inline void pack_four(const float* corner, size_t output_stride, float* out_panels) {
+    for (uint32_t j = 0; j < DMI_PANEL; j += LANES) {
+        __m128 in[LANES];
+        for (uint32_t i = 0; i < LANES; i++) in[i] = _mm_loadu_ps(corner + (j + i) * output_stride);
+        _MM_TRANSPOSE4_PS(in[0], in[1], in[2], in[3]);
+        for (uint32_t k = 0; k < LANES; k++) _mm_storeu_ps(out_panels + k * DMI_PANEL + j, in[k]);
+    }
+}
+#else
+static inline void pack_four(const float* corner, size_t output_stride, float* out_panels) {
+    for (uint32_t k = 0; k < LANES; k++)
+        for (uint32_t j = 0; j < DMI_PANEL; j++) out_panels[k * DMI_PANEL + j] = corner[j * output_stride + k];
+}
+#endif
+
 void dmi_panels_pack(const float* source, size_t output_stride, size_t input_stride, uint32_t columns, uint32_t depth,
                      float* out_panels) {
     for (uint32_t first = 0; first < columns; first += DMI_PANEL) {
         const uint32_t width = columns - first < DMI_PANEL ? columns - first : DMI_PANEL;
         const float* corner = source + first * output_stride;
-        for (uint32_t k = 0; k < depth; k++, out_panels += DMI_PANEL) {
+        uint32_t k = 0;
+        if (width == DMI_PANEL && input_stride == 1)
+            for (; k + LANES <= depth; k += LANES, out_panels += LANES * DMI_PANEL)
+                pack_four(corner + k, output_stride, out_panels);
+        for (; k < depth; k++, out_panels += DMI_PANEL) {
             for (uint32_t j = 0; j < width; j++) out_panels[j] = corner[j * output_stride + k * input_stride];
             for (uint32_t j = width; j < DMI_PANEL; j++) out_panels[j] = 0.0f;
         }

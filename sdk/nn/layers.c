@@ -53,28 +53,16 @@ float* dmi_load_spare(dmi_loader* loader, size_t count) {
     return push_zeros(loader, loader->spare, count);
 }
 
-/* Returns the index of the first number that is not finite; `count` when all are. */
-static size_t first_not_finite(const float* numbers, size_t count) {
-    const uint32_t exponent = 0x7f800000u;
-    uint32_t found = 0;
-    for (size_t i = 0; i < count; i++) {
-        uint32_t bits;
-        memcpy(&bits, &numbers[i], sizeof bits);
-        found |= (uint32_t)((bits & exponent) == exponent);
-    }
-    size_t i = found ? 0 : count;
-    while (i < count && isfinite(numbers[i])) i++;
-    return i;
-}
-
 float* dmi_load_tensor(dmi_loader* loader, const char* name, uint32_t rows, uint32_t cols) {
     const size_t count = (size_t)rows * (cols ? cols : 1);
     if (loader->result != DM_OK) return NULL;
     float* tensor = push(loader, loader->spare, count);
     if (tensor == NULL) return NULL;
-    if (!dmi_weights_read(loader->weights, name, rows, cols, tensor)) return fail(loader, DM_ERROR_BAD_DATA);
-    const size_t bad = first_not_finite(tensor, count);
-    if (bad == count) return tensor;
+    bool finite = false;
+    if (!dmi_weights_read(loader->weights, name, rows, cols, tensor, &finite)) return fail(loader, DM_ERROR_BAD_DATA);
+    if (finite) return tensor;
+    size_t bad = 0;
+    while (isfinite(tensor[bad])) bad++;
     dmi_fail(loader->env, DM_ERROR_BAD_DATA, "weights: number %zu of '%s' is not finite", bad, name);
     return fail(loader, DM_ERROR_BAD_DATA);
 }

@@ -8,6 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/compiler.h"
+#include "base/cpu.h"
+
 #define LENGTH_BYTES 8 /* bytes of the header length, as the format has it */
 /* Bytes of the header; by hand: ours have about 10 KB. Bounds what a malicious file makes the JSON parser allocate. */
 #define MAX_HEADER ((size_t)1 << 20)
@@ -197,9 +200,11 @@ void dmi_weights_close(dmi_weights* weights) {
     dmi_free(env, weights, sizeof *weights);
 }
 
-/* Converts IEEE 754 binary16 to binary32 exactly, with subnormals, infinities and NaN, and without a branch. */
-static float widen(uint16_t half) {
-    const uint32_t special = 0u - (uint32_t)((half & 0x7c00u) == 0x7c00u); /* all ones: infinity or NaN */
+/* Converts IEEE 754 binary16 to binary32 exactly, with subnormals, infinities and NaN, and without a branch. Sets all
+ * bits of `special` where it is infinity or NaN. */
+static inline float widen(uint16_t half, uint32_t* found) {
+    const uint32_t special = 0u - (uint32_t)((half & 0x7c00u) == 0x7c00u);
+    *found |= special;
     const uint32_t magnitude = (half & 0x7fffu) << 13;
     uint32_t bits;
     float value;
@@ -211,17 +216,49 @@ static float widen(uint16_t half) {
     return value;
 }
 
-/* Halves are little-endian; where the machine is too, the loop becomes vector code. */
-static void widen_all(const unsigned char* data, size_t count, float* out) {
+/* Converts halves, which are little-endian; where the machine is too, the loop becomes vector code. Returns whether all
+ * are finite. */
+DMI_ALWAYS_INLINE static inline bool widen_each(const unsigned char* data, size_t count, float* out) {
+    uint32_t found = 0;
     for (size_t i = 0; i < count; i++) {
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
         uint16_t half;
         memcpy(&half, data + 2 * i, sizeof half);
-        out[i] = widen(half);
+        out[i] = widen(half, &found);
 #else
-        out[i] = widen((uint16_t)(data[2 * i] | data[2 * i + 1] << 8));
+        out[i] = widen((uint16_t)(data[2 * i] | data[2 * i + 1] << 8), &found);
 #endif
     }
+    return found == 0;
+}
+
+static bool widen_plain(const unsigned char* data, size_t count, float* out) {
+    return widen_each(data, count, out);
+}
+
+#if defined(__x86_64__)
+DMI_TARGET("avx2") static bool widen_avx2(const unsigned char* data, size_t count, float* out) {
+    return widen_each(data, count, out);
+}
+#endif
+
+static bool widen_all(const unsigned char* data, size_t count, float* out) {
+#if defined(__x86_64__)
+    if (dmi_isa_has_avx2(dmi_cpu_best_isa())) return widen_avx2(data, count, out);
+#endif
+    return widen_plain(data, count, out);
+}
+
+/* Has no branch, so that it becomes vector code. */
+static bool are_finite(const float* numbers, size_t count) {
+    const uint32_t exponent = 0x7f800000u;
+    uint32_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        uint32_t bits;
+        memcpy(&bits, &numbers[i], sizeof bits);
+        found |= (uint32_t)((bits & exponent) == exponent);
+    }
+    return found == 0;
 }
 
 /* Returns the tensor; NULL, and a log line, when there is none of this shape. */
@@ -240,15 +277,19 @@ static const tensor* find_tensor(const dmi_weights* weights, const char* name, u
     return found;
 }
 
-bool dmi_weights_read(const dmi_weights* weights, const char* name, uint32_t rows, uint32_t cols, float* out) {
+bool dmi_weights_read(const dmi_weights* weights, const char* name, uint32_t rows, uint32_t cols, float* out,
+                      bool* out_finite) {
     const tensor* found = find_tensor(weights, name, rows, cols);
     if (found == NULL) return false;
     const unsigned char* data = weights->tensors_data + found->begin;
+    bool finite;
     if (!found->is_half) {
         memcpy(out, data, found->end - found->begin);
-        return true;
+        finite = are_finite(out, (found->end - found->begin) / sizeof *out);
+    } else {
+        finite = widen_all(data, (found->end - found->begin) / sizeof(uint16_t), out);
     }
-    widen_all(data, (found->end - found->begin) / 2, out);
+    if (out_finite != NULL) *out_finite = finite;
     return true;
 }
 

@@ -15,9 +15,10 @@ typedef struct dmi_weights dmi_weights;
 dm_result dmi_weights_open(dmi_env* env, const void* data, size_t size, const char* architecture, int max_version,
                            dmi_weights** out_weights);
 void dmi_weights_close(dmi_weights* weights);
-/* Copies the tensor of exactly this shape (cols 0: one dimension of `rows`), float16 widened to float. Returns
- * false, and logs a line, when it is not there. */
-bool dmi_weights_read(const dmi_weights* weights, const char* name, uint32_t rows, uint32_t cols, float* out);
+/* Copies the tensor of exactly this shape (cols 0: one dimension of `rows`), float16 widened to float; out_finite,
+ * if not NULL: whether all its numbers are. Returns false, and logs a line, when it is not there. */
+bool dmi_weights_read(const dmi_weights* weights, const char* name, uint32_t rows, uint32_t cols, float* out,
+                      bool* out_finite);
 /* Returns a metadata value; NULL when the key is absent. */
 const char* dmi_weights_metadata(const dmi_weights* weights, const char* key);
 

@@ -74,17 +74,21 @@ static size_t bvh_size(uint32_t part_count) {
     return sizeof(dmi_bvh) + part_count * sizeof(dmi_bvh_part);
 }
 
-static dm_result allocate(dmi_env* env, const dmi_packed_mesh* mesh, const dmi_part_ids* ids, dmi_bvh** out_bvh) {
+static dm_result allocate(dmi_env* env, const dmi_pick_backend* backend, const dmi_packed_mesh* mesh,
+                          const dmi_part_ids* ids, dmi_bvh** out_bvh) {
     dmi_bvh* bvh = dmi_alloc_zeroed(env, bvh_size(mesh->part_count), DMI_ALIGNMENT);
     *out_bvh = bvh;
     if (bvh == NULL)
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory to pick among %u triangles", mesh->face_count);
     bvh->env = env;
+    bvh->backend = backend;
     bvh->mesh = mesh;
     bvh->part_count = mesh->part_count;
     for (uint32_t p = 0; p < mesh->part_count; p++) {
         bvh->parts[p].id = *(const uint32_t*)(const void*)((const char*)ids->first + p * ids->step);
         bvh->parts[p].first_face = mesh->parts[p].first_face;
+        bvh->parts[p].first_hit = backend->first_hit;
+        bvh->parts[p].mesh = mesh;
     }
     return DM_OK;
 }
@@ -132,11 +136,8 @@ static dm_result make_part(dmi_bvh* bvh, uint32_t index, const dmi_tree_shape* s
 static dm_result create(dmi_env* env, const dmi_pick_backend* backend, void* device, const dmi_bvh_source* from,
                         const dmi_progress* progress, dmi_bvh** out_bvh) {
     dmi_bvh* bvh;
-    dm_result result = allocate(env, from->mesh, &from->ids, &bvh);
-    if (result == DM_OK) {
-        bvh->backend = backend;
-        bvh->device = device;
-    }
+    dm_result result = allocate(env, backend, from->mesh, &from->ids, &bvh);
+    if (result == DM_OK) bvh->device = device;
     for (uint32_t p = 0; result == DM_OK && p < from->mesh->part_count; p++)
         result = make_part(bvh, p, from->shapes, progress);
     if (result != DM_OK) {

@@ -22,6 +22,8 @@ typedef struct dmi_bvh_part {
     uint32_t first_face;
     float low[3], high[3]; /* box of its triangles at rest */
     void* tree;            /* the backend's; NULL: no triangle of the part has an area */
+    bool (*first_hit)(const void* tree, const dmi_part_ray* ray, dmi_part_hit* out_hit); /* the backend's */
+    const dmi_packed_mesh* mesh;                                                         /* the bvh's */
 } dmi_bvh_part;
 
 struct dmi_bvh {
@@ -36,8 +38,8 @@ struct dmi_bvh {
 /* Index of the part with the host's id; -1 when there is none. */
 int32_t dmi_bvh_find_part(const dmi_bvh* bvh, uint32_t id);
 /* Corners a, b, c of the face that the backend calls `face` of a part. */
-static inline void dmi_bvh_corners(const dmi_bvh* bvh, const dmi_bvh_part* part, uint32_t face, const float* out[3]) {
-    const dmi_packed_mesh* mesh = bvh->mesh;
+static inline void dmi_bvh_corners(const dmi_bvh_part* part, uint32_t face, const float* out[3]) {
+    const dmi_packed_mesh* mesh = part->mesh;
     const size_t at = ((size_t)part->first_face + face) * 3;
     if (mesh->narrow != NULL) {
         for (size_t i = 0; i < 3; i++) out[i] = mesh->positions + (size_t)mesh->narrow[at + i] * 3;

@@ -106,36 +106,36 @@ static bool is_at_rest(const dm_pose* pose) {
 }
 
 /* Sets what moves with a part from the matrix to_object. */
-static void place_part(dmi_placed_part* part, const double placement[DMI_MATRIX]) {
+static void place_part(dmi_placed_part* part, const double placement[DMI_MATRIX], dmi_top_item* item) {
     multiply(placement, part->to_object, part->to_world);
     const double* m = part->to_world;
-    part->scale = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
-    part->inverse_scale = 1 / part->scale;
+    item->scale = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
     part->winding = determinant(m) < 0 ? -1 : 1;
-    invert(m, part->inverse_scale, part->from_world);
+    invert(m, 1 / item->scale, item->from_world);
 }
 
 static void copy_place(const dmi_placed_part* from, dmi_placed_part* part) {
-    part->scale = from->scale;
-    part->inverse_scale = from->inverse_scale;
     part->winding = from->winding;
-    memcpy(part->from_world, from->from_world, sizeof part->from_world);
     memcpy(part->to_world, from->to_world, sizeof part->to_world);
     memcpy(part->to_object, from->to_object, sizeof part->to_object);
 }
 
-void dmi_placed_part_update(dmi_placed_part* part, const double placement[DMI_MATRIX],
-                            const double from_inner[DMI_MATRIX], const dmi_placed_part** at_rest, dmi_box* out_box) {
+void dmi_placed_part_update(dmi_placed_part* part, dmi_top_tree* tree, const double placement[DMI_MATRIX],
+                            const double from_inner[DMI_MATRIX], const dmi_placed_part** at_rest) {
     const bool rests = is_at_rest(&part->pose);
+    dmi_top_item* item = dmi_top_tree_item(tree, part->leaf);
     if (rests && *at_rest != NULL) {
         copy_place(*at_rest, part);
+        *item = *dmi_top_tree_item(tree, (*at_rest)->leaf);
     } else {
         double pose[DMI_MATRIX];
         dmi_pose_matrix_f64(&part->pose, pose);
         multiply(pose, from_inner, part->to_object);
-        place_part(part, placement);
+        place_part(part, placement, item);
     }
     if (rests) *at_rest = part;
+    item->shape = part->shape;
+    item->part = part;
     part->moved = false;
-    measure_box(part, out_box);
+    measure_box(part, &tree->leaves[part->leaf].box);
 }

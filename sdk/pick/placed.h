@@ -9,10 +9,6 @@
 #include "pick/bvh.h"
 #include "pick/top_tree.h"
 
-/* Numbers of a 3x4 matrix, column-major, and one more, so that code may compute four rows at once. Likewise the fourth
- * number of points and directions: what it holds does not count. */
-#define DMI_MATRIX 13
-
 /* Bound of ray origins and translations, host units, so that no product of floats overflows. */
 #define DMI_MAX_COORDINATE 1e10
 /* Constants of floats: where the exponent stands in their bits, what it is of 1, and numbers whose products with the
@@ -26,12 +22,10 @@ typedef struct dmi_placed_object dmi_placed_object;
 
 typedef struct dmi_placed_part {
     const dmi_placed_object* owner;
-    const dmi_bvh_part* shape;                                                           /* shape in the owner's bvh */
-    bool (*first_hit)(const void* tree, const dmi_part_ray* ray, dmi_part_hit* out_hit); /* the backend's */
-    /* Placement as committed, from and to the object-normalised frame, in the order in which a hit needs the numbers.
-     * They are doubles so that objects far from the origin keep their shape. */
-    double scale, inverse_scale; /* host units in one of the object-normalised frame */
-    double from_world[DMI_MATRIX], to_world[DMI_MATRIX], to_object[DMI_MATRIX];
+    const dmi_bvh_part* shape; /* shape in the owner's bvh */
+    /* Placement as committed, from the object-normalised frame, in the order in which a hit needs the numbers; the way
+     * back is in the tree's item. They are doubles so that objects far from the origin keep their shape. */
+    double to_world[DMI_MATRIX], to_object[DMI_MATRIX];
     double winding; /* -1 where to_world mirrors, else 1 */
     uint32_t leaf;  /* leaf of the scene's tree; DMI_TOP_NONE: there is nothing to hit */
     bool moved;     /* it has moved since the last commit */
@@ -97,10 +91,10 @@ typedef struct dmi_world_hit {
     uint32_t face;
 } dmi_world_hit;
 
-/* Computes matrices and box of a part that has moved. at_rest: of the parts of an object that are updated one after the
- * other, the last that is at rest, NULL at first; parts at rest share their matrices. */
-void dmi_placed_part_update(dmi_placed_part* part, const double placement[DMI_MATRIX],
-                            const double from_inner[DMI_MATRIX], const dmi_placed_part** at_rest, dmi_box* out_box);
+/* Computes matrices, item and box of a part that has moved. at_rest: of the parts of an object that are updated one
+ * after the other, the last that is at rest, NULL at first; parts at rest share their matrices. */
+void dmi_placed_part_update(dmi_placed_part* part, dmi_top_tree* tree, const double placement[DMI_MATRIX],
+                            const double from_inner[DMI_MATRIX], const dmi_placed_part** at_rest);
 /* Finds the nearest hit among the parts of a scene, zeros where there is none. With the same bits from each. */
 typedef void dmi_scene_trace(const dmi_top_tree* tree, const dm_ray* host_ray, dm_hit* out_hit);
 dmi_scene_trace dmi_scene_trace_plain;

@@ -84,20 +84,20 @@ TARGET_INLINE double dot(const vector* a, const vector* b) {
     return products[0] + products[1] + products[2];
 }
 
-TARGET_INLINE inner_ray enter_part(const dmi_placed_part* part, const dmi_world_ray* ray, float entry) {
+TARGET_INLINE inner_ray enter_part(const dmi_top_item* item, const dmi_world_ray* ray, float entry) {
     const vector direction = load(ray->direction);
-    const double start = (double)entry * (1 - ENTRY_ROUNDING) - ENTRY_MARGIN * part->scale;
+    const double start = (double)entry * (1 - ENTRY_ROUNDING) - ENTRY_MARGIN * item->scale;
     inner_ray inner = {.start = start > 0 ? start : 0};
     const vector from = load(ray->origin) + inner.start * direction;
-    inner.origin = apply(part->from_world, &from);
-    inner.direction = turn(part->from_world, &direction) * part->scale;
+    inner.origin = apply(item->from_world, &from);
+    inner.direction = turn(item->from_world, &direction) * item->scale;
     inner.inverse_squared = 1 / dot(&inner.direction, &inner.direction);
     return inner;
 }
 
-TARGET_INLINE triangle load_triangle(const dmi_placed_part* part, uint32_t face) {
+TARGET_INLINE triangle load_triangle(const dmi_bvh_part* shape, uint32_t face) {
     const float* corners[3];
-    dmi_bvh_corners(part->owner->bvh, part->shape, face, corners);
+    dmi_bvh_corners(shape, face, corners);
     triangle t = {.corner = load_floats(corners[0])}; /* the padding is readable */
     for (int i = 0; i < 2; i++) t.edge[i] = load_floats(corners[i + 1]) - t.corner;
     return t;
@@ -140,19 +140,21 @@ TARGET_INLINE void fetch_matrices(const dmi_placed_part* part) {
 
 /* Tests a part whose box the ray enters at `entry`; replaces a hit that is farther away. Of hits at the same distance,
  * that of the lower instance and part wins, so that the order of tests does not count. */
-TARGET DMI_NO_INLINE static void hit_part(const dmi_placed_part* part, const dmi_world_ray* ray, float entry,
+TARGET DMI_NO_INLINE static void hit_part(const dmi_top_item* item, const dmi_world_ray* ray, float entry,
                                           dmi_world_hit* hit) {
-    const inner_ray inner = enter_part(part, ray, entry);
-    const double left = (hit->distance - inner.start) * part->inverse_scale;
+    const dmi_bvh_part* shape = item->shape;
+    const inner_ray inner = enter_part(item, ray, entry);
+    const double left = (hit->distance - inner.start) * (1 / item->scale);
     dmi_part_ray part_ray = {.far = (float)(left * (1 + FAR_ROUNDING) + FAR_ROUNDING)};
     store_floats(&inner.origin, part_ray.origin);
     store_floats(&inner.direction, part_ray.direction);
     dmi_part_hit found;
-    if (!part->first_hit(part->shape->tree, &part_ray, &found)) return;
+    if (!shape->first_hit(shape->tree, &part_ray, &found)) return;
+    const dmi_placed_part* part = item->part;
     fetch_matrices(part);
-    const triangle t = load_triangle(part, found.face);
+    const triangle t = load_triangle(shape, found.face);
     double weight[2];
-    const double distance = inner.start + part->scale * meet_triangle(&t, &inner, &found, weight);
+    const double distance = inner.start + item->scale * meet_triangle(&t, &inner, &found, weight);
     if (!(distance <= hit->distance)) return;
     if (distance == hit->distance && hit->part != NULL && !comes_before(part, hit->part)) return;
     hit->part = part;
@@ -181,7 +183,7 @@ TARGET DMI_NO_INLINE static void describe_hit(const dmi_world_ray* ray, const dm
     *out_hit = (dm_hit){.object = part->owner->object,
                         .instance = part->owner->id,
                         .part_id = shape->id,
-                        .triangle = dmi_packed_of_mesh(part->owner->bvh->mesh, shape->first_face + hit->face),
+                        .triangle = dmi_packed_of_mesh(shape->mesh, shape->first_face + hit->face),
                         .distance = (float)(hit->distance * sqrt(dot(&direction, &direction))),
                         .u = (float)hit->weight[0],
                         .v = (float)hit->weight[1],

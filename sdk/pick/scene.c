@@ -87,7 +87,6 @@ static dm_result make_parts(dmi_scene* scene, dmi_placed_object* placed) {
         dmi_placed_part* part = &placed->parts[p];
         part->owner = placed;
         part->shape = &placed->bvh->parts[p];
-        part->first_hit = placed->bvh->backend->first_hit;
         part->leaf = DMI_TOP_NONE;
         part->moved = false;
         part->pose = dmi_pose_identity();
@@ -124,7 +123,7 @@ static dm_result check_size(dmi_env* env, const dmi_frame* frame) {
 static dm_result make_placed(dmi_scene* scene, const dmi_bvh* bvh, const dmi_frame* frame, dm_object object,
                              const dm_pose* placement, dmi_placed_object** out_placed) {
     dmi_env* env = scene->picker->env;
-    dmi_placed_object* placed = dmi_alloc(env, placed_size(bvh), DMI_ALIGNMENT);
+    dmi_placed_object* placed = dmi_alloc(env, placed_size(bvh), _Alignof(dmi_placed_object));
     if (placed == NULL) {
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for an instance of %u parts", bvh->part_count);
     }
@@ -210,7 +209,7 @@ static uint32_t update_placed(dmi_scene* scene, dmi_placed_object* placed) {
     for (uint32_t p = 0; p < placed->bvh->part_count; p++) {
         dmi_placed_part* part = &placed->parts[p];
         if (part->leaf == DMI_TOP_NONE || !(placed->moved || part->moved)) continue;
-        dmi_placed_part_update(part, placement, from_inner, &at_rest, &scene->tree.leaves[part->leaf].box);
+        dmi_placed_part_update(part, &scene->tree, placement, from_inner, &at_rest);
         part->moved = true; /* the part counts as moved until it is placed */
         changed++;
     }

@@ -9,7 +9,6 @@
 #include "math/elementary.h"
 #include "pick/lanes.h"
 
-#define FIRST_CAPACITY 8                                     /* leaves; doubles when full */
 #define MOST_PENDING (DMI_WIDE * (DMI_TOP_FREE_LEVELS + 32)) /* ranges of a rebuild that wait */
 #define ENTRIES (DMI_WIDE + 1)                               /* entries of a node that overflows */
 #define MOST_SPREAD 2   /* surface of a group of new leaves, of that of the leaves beside it; by hand */
@@ -339,39 +338,51 @@ void dmi_top_tree_init(dmi_top_tree* tree, dmi_env* env) {
     *tree = (dmi_top_tree){.env = env, .root = DMI_TOP_NONE, .free_leaf = DMI_TOP_NONE, .free_node = DMI_TOP_NONE};
 }
 
-void dmi_top_tree_release(dmi_top_tree* tree) {
+static uint32_t chunk_size(uint32_t chunk) {
+    return chunk == 0 ? DMI_TOP_FIRST : DMI_TOP_FIRST / 2 << chunk;
+}
+
+/* Frees the arrays that are copied when the tree grows. */
+static void release_arrays(const dmi_top_tree* tree) {
     const size_t capacity = tree->capacity;
     dmi_free(tree->env, tree->nodes, capacity * sizeof *tree->nodes);
     dmi_free(tree->env, tree->leaves, capacity * sizeof *tree->leaves);
-    dmi_free(tree->env, tree->items, capacity * sizeof *tree->items);
     dmi_free(tree->env, tree->sorted, capacity * sizeof *tree->sorted);
+}
+
+void dmi_top_tree_release(dmi_top_tree* tree) {
+    release_arrays(tree);
+    for (uint32_t i = 0; i < tree->chunks; i++)
+        dmi_free(tree->env, tree->items[i], chunk_size(i) * sizeof *tree->items[i]);
 }
 
 /* Doubles the room. */
 static dm_result expand(dmi_top_tree* tree) {
     dmi_env* env = tree->env;
-    const size_t capacity = tree->capacity > 0 ? 2 * (size_t)tree->capacity : FIRST_CAPACITY;
+    const size_t capacity = tree->capacity > 0 ? 2 * (size_t)tree->capacity : DMI_TOP_FIRST;
+    const size_t items_size = chunk_size(tree->chunks) * sizeof(dmi_top_item);
     dmi_top_tree grown = *tree;
     grown.capacity = (uint32_t)capacity;
     grown.nodes = dmi_alloc(env, capacity * sizeof *grown.nodes, DMI_ALIGNMENT);
     grown.leaves = dmi_alloc(env, capacity * sizeof *grown.leaves, DMI_ALIGNMENT);
-    grown.items = dmi_alloc(env, capacity * sizeof *grown.items, DMI_ALIGNMENT);
     grown.sorted = dmi_alloc(env, capacity * sizeof *grown.sorted, DMI_ALIGNMENT);
-    if (grown.nodes == NULL || grown.leaves == NULL || grown.items == NULL || grown.sorted == NULL) {
-        dmi_top_tree_release(&grown);
+    dmi_top_item* items = dmi_alloc(env, items_size, DMI_ALIGNMENT);
+    if (grown.nodes == NULL || grown.leaves == NULL || grown.sorted == NULL || items == NULL) {
+        release_arrays(&grown);
+        dmi_free(env, items, items_size);
         return dmi_fail(env, DM_ERROR_OUT_OF_MEMORY, "no memory for a scene of %u parts", grown.capacity);
     }
     if (tree->capacity > 0) {
         memcpy(grown.nodes, tree->nodes, tree->used_nodes * sizeof *grown.nodes);
         memcpy(grown.leaves, tree->leaves, tree->used_leaves * sizeof *grown.leaves);
-        memcpy(grown.items, tree->items, tree->used_leaves * sizeof *grown.items);
     }
-    dmi_top_tree_release(tree);
+    grown.items[grown.chunks++] = items;
+    release_arrays(tree);
     *tree = grown;
     return DM_OK;
 }
 
-dm_result dmi_top_tree_add(dmi_top_tree* tree, void* item, uint32_t* out_leaf) {
+dm_result dmi_top_tree_add(dmi_top_tree* tree, const void* part, uint32_t* out_leaf) {
     uint32_t leaf = tree->free_leaf;
     if (leaf != DMI_TOP_NONE) {
         tree->free_leaf = tree->leaves[leaf].parent;
@@ -380,7 +391,7 @@ dm_result dmi_top_tree_add(dmi_top_tree* tree, void* item, uint32_t* out_leaf) {
         if (result != DM_OK) return result;
         leaf = tree->used_leaves++;
     }
-    tree->items[leaf] = item;
+    dmi_top_tree_item(tree, leaf)->part = part;
     tree->leaves[leaf].parent = DMI_TOP_NONE;
     tree->leaves[leaf].placed = false;
     *out_leaf = leaf;
@@ -389,7 +400,7 @@ dm_result dmi_top_tree_add(dmi_top_tree* tree, void* item, uint32_t* out_leaf) {
 
 void dmi_top_tree_remove(dmi_top_tree* tree, uint32_t leaf) {
     if (tree->leaves[leaf].placed) take_out(tree, leaf);
-    tree->items[leaf] = NULL;
+    dmi_top_tree_item(tree, leaf)->part = NULL;
     tree->leaves[leaf].parent = tree->free_leaf;
     tree->free_leaf = leaf;
 }

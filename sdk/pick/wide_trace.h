@@ -122,6 +122,7 @@ TARGET_INLINE bool enter_children(const dmi_wide_node* node, const traced_ray* r
                                   stacked* out_nearest) {
     float near[DMI_WIDE];
     const uint32_t bottom = *depth;
+    DMI_PREFETCH(node->child); /* its cache line would come after the boxes are tested */
     uint32_t entered = enter_node(node, ray, near);
     if (entered == 0) return false;
     uint32_t child = dmi_trailing_zeros(entered);
@@ -174,23 +175,30 @@ TARGET static void trace_scene(const dmi_top_tree* tree, const dm_ray* host_ray,
     stacked stack[(DMI_WIDE - 1) * DMI_TOP_MOST_LEVELS + 1], item;
     uint32_t depth = 0;
     dmi_world_ray world;
-    dmi_world_hit hit = {.distance = INFINITY};
-    *out_hit = (dm_hit){0};
-    if (!dmi_world_ray_start(host_ray, &world)) return;
+    dmi_world_hit hit; /* most of it is set by a hit alone: zeros would take as long as a node */
+    hit.part = NULL;
+    hit.distance = INFINITY;
+    if (!dmi_world_ray_start(host_ray, &world)) {
+        *out_hit = (dm_hit){0};
+        return;
+    }
     traced_ray ray = {.far = INFINITY};
     set_slabs(&ray, world.origin_f32, world.direction_f32);
     item = (stacked){0, tree->root};
     bool more = tree->root != DMI_TOP_NONE;
     while (more) {
         if (item.reference & DMI_LEAF) {
-            hit_part(tree->items[item.reference & ~DMI_LEAF], &world, item.near, &hit);
+            hit_part(dmi_top_tree_item(tree, item.reference & ~DMI_LEAF), &world, item.near, &hit);
             ray.far = bound_of(&hit);
         } else if (enter_children(&tree->nodes[item.reference].wide, &ray, stack, &depth, &item)) {
             continue;
         }
         more = take_next(stack, &depth, ray.far, &item);
     }
-    if (hit.part != NULL) describe_hit(&world, &hit, out_hit);
+    if (hit.part != NULL)
+        describe_hit(&world, &hit, out_hit);
+    else
+        *out_hit = (dm_hit){0};
 }
 
 #endif

@@ -12,7 +12,7 @@
 #include "cabinet.h"
 #include "weights.h"
 
-enum { HELD_FRAMES = 60, RELEASED_FRAMES = 90, STEPS = 60, MOST_WORKERS = 16, GARBAGE = 0xA5, SAMPLES = 5 };
+enum { HELD_FRAMES = 60, RELEASED_FRAMES = 90, STEPS = 60, MOST_WORKERS = 16, GARBAGE = 0xA5, SAMPLES = 5, PICKS = 8 };
 static const float frame_time = 1.0f / 60;
 
 static void must(dm_result result, const char* what) {
@@ -229,6 +229,27 @@ static dm_vec3 pick(dm_context* context, dm_object object, dm_vec3 towards) {
     return hit.object_point;
 }
 
+/* What rays hit that come from the front, side by side. */
+static void print_picks(dm_context* context, dm_object object) {
+    const dm_scene_desc desc = dm_scene_desc_default();
+    dm_scene scene;
+    uint32_t instance;
+    must(dm_scene_create(context, &desc, &scene), "scene");
+    must(dm_scene_add(context, scene, object, NULL, &instance), "add");
+    must(dm_scene_commit(context, scene), "commit");
+    for (int i = 0; i < PICKS * PICKS; i++) {
+        const float x = (float)(i % PICKS) / PICKS, y = (float)(i / PICKS) / PICKS;
+        const dm_ray ray = {{x, y, 5}, {0.01f, 0.02f, -1}};
+        OUTPUT(dm_hit, hit);
+        must(dm_scene_pick(context, scene, &ray, &hit), "pick");
+        CHECK_LATER(hit);
+        if (hit.object == 0) continue;
+        printf("pick ray %d part %u triangle %u\n", i, hit.part_id, hit.triangle);
+        print("pick", &hit.object_point.x, 3);
+    }
+    must(dm_scene_destroy(context, scene), "destroy");
+}
+
 /* Drags a part, lets go of it, and takes it again where it has come to rest. flags: DM_RELEASE_*. */
 static void drag_and_release(dm_context* context, dm_object object, uint32_t part, dm_vec3 grab, uint32_t flags) {
     const char* after = flags & DM_RELEASE_BY_RULE ? "release" : "paced";
@@ -348,7 +369,9 @@ int main(int argc, char** argv) {
     if (workers > 0) host.jobs = (dm_jobs){&workers, parallel_for};
     must(dm_context_create(&host, &context), "context");
     if (read != NULL) {
-        print_object(context, load(context, 0, read));
+        const dm_object object = load(context, 0, read);
+        print_object(context, object);
+        print_picks(context, object);
     } else {
         must(load_weights(context, argv[1], &model), "weights");
         const dm_object object = from != NULL ? load(context, model, from) : prepare(context, model);

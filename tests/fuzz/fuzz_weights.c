@@ -15,7 +15,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     dmi_dq_vae* vae = NULL;
     if (dmi_weights_open(&env, data, size, "net", 1, &weights) == DM_OK) {
         float numbers[6];
-        (void)dmi_weights_read(weights, "m", 2, 3, numbers);
+        (void)dmi_weights_read(weights, "m", 2, 3, numbers, NULL);
         dmi_weights_close(weights);
     }
     if (dmi_kpp_net_load(&env, data, size, &net) == DM_OK) dmi_kpp_net_destroy(net);

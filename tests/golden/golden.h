@@ -48,7 +48,7 @@ static inline dmi_weights* golden_open(dmi_env* env, golden_file answers, const 
 
 static inline void golden_copy(const dmi_weights* golden, const char* name, uint32_t rows, uint32_t cols, void* out) {
     memset(out, 0, (size_t)rows * (cols ? cols : 1) * sizeof(float));
-    if (!dmi_weights_read(golden, name, rows, cols, out)) fail_msg("no tensor %s of %u x %u", name, rows, cols);
+    if (!dmi_weights_read(golden, name, rows, cols, out, NULL)) fail_msg("no tensor %s of %u x %u", name, rows, cols);
 }
 
 /* Largest difference of `found` from the golden tensor; fails when above the tolerance. */

@@ -4,6 +4,7 @@
 # print the same. Needs a C compiler, cmake and pkg-config, nothing of this repository. For an archive of another machine,
 # CC is a compiler for it and EMULATOR the command that runs its programs.
 set -euo pipefail
+[ $# = 2 ] || { echo "usage: tests/release/hosts.sh ARCHIVE WORK_FOLDER" >&2; exit 2; }
 archive=$(realpath "$1") work=$2
 mkdir -p "$work" && cd "$work"
 tar -xzf "$archive"

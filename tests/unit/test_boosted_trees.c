@@ -163,8 +163,8 @@ static void the_shipped_trees_say_what_a_plain_walk_says(void** state) {
     dmi_weights* weights;
     assert_int_equal(read_bytes(&t, bytes, size), DM_OK);
     assert_int_equal(dmi_weights_open(&t.env, bytes, size, "dragmesh-joint-models", 1, &weights), DM_OK);
-    assert_true(dmi_weights_read(weights, "trees.column", DMI_TREES, DMI_TREE_NODES, made.column));
-    assert_true(dmi_weights_read(weights, "trees.value", DMI_TREES, DMI_TREE_NODES, made.value));
+    assert_true(dmi_weights_read(weights, "trees.column", DMI_TREES, DMI_TREE_NODES, made.column, NULL));
+    assert_true(dmi_weights_read(weights, "trees.value", DMI_TREES, DMI_TREE_NODES, made.value, NULL));
     dmi_weights_close(weights);
     free(bytes);
     dmi_random random = dmi_random_make(7, 1);

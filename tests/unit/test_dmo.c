@@ -2,9 +2,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "../../plugin_api/src/api_handles.h" /* for the features of an object */
 #include "kinematics/object/dmo_format.h"
 #include "test_world.h"
 
+#define BARE_SIZE 2560 /* bytes of a door without triangles and the handle fixed to it; the door alone: under 2,048 */
 #define CORPUS "tests/abi/corpus/cabinet_v1.dmo"
 
 typedef struct bytes {
@@ -131,8 +133,22 @@ static void test_without_triangles_it_is_small(void** state) {
     test_world w;
     test_world_init(&w);
     test_world_open(&w);
-    bytes file = save(w.context, make_object(&w, DM_PREPARE_WITHOUT_PICKING));
-    assert_true(file.size <= 64 * 1024);
+    test_world_load_model(&w);
+    const dm_drag_hint pull = test_pull();
+    const dm_part_desc parts[2] = {
+        {.struct_size = sizeof parts[0], .id = TEST_DOOR, .drag = &pull},
+        {.struct_size = sizeof parts[0], .id = TEST_HANDLE, .parent = TEST_DOOR, .joint_type = DM_JOINT_FIXED}};
+    const dm_mesh_desc mesh = test_shape_desc(&w.shape);
+    const dm_object_desc desc = {.struct_size = sizeof desc,
+                                 .flags = DM_PREPARE_WITHOUT_PICKING,
+                                 .mesh = &mesh,
+                                 .parts = parts,
+                                 .part_count = 2,
+                                 .model = w.model};
+    dm_object door;
+    assert_int_equal(dm_object_prepare(w.context, &desc, &door), DM_OK);
+    bytes file = save(w.context, door);
+    assert_in_range(file.size, 1, BARE_SIZE);
     dm_object loaded;
     dm_object_info info = {.struct_size = sizeof info};
     assert_int_equal(dm_object_load(w.context, file.data, file.size, 0, &loaded), DM_OK);
@@ -683,6 +699,25 @@ static dm_drag_hint pull_at_the_middle(dm_context* context, dm_object object, co
                           .vector = {a.y * arm.z - a.z * arm.y, a.z * arm.x - a.x * arm.z, a.x * arm.y - a.y * arm.x}};
 }
 
+/* Calls that any thread or a frame may make on an object with a door. */
+static void use_a_door(dm_context* context, dm_object object) {
+    dm_motion_desc desc = {.struct_size = sizeof desc, .part_id = TEST_DOOR};
+    dm_drag_desc held = {.struct_size = sizeof held, .object = object, .part_id = TEST_DOOR};
+    dm_drag_state now = {.struct_size = sizeof now};
+    dm_joint joint = {.struct_size = sizeof joint};
+    const dm_ray ray = {{0, 0, 5}, {0.1f, 0.1f, -1}};
+    dm_motion motion;
+    dm_drag drag;
+    assert_int_equal(dm_object_get_joint(context, object, TEST_DOOR, &joint), DM_OK);
+    desc.drag = pull_at_the_middle(context, object, &joint);
+    held.grab_point = desc.drag.point;
+    assert_int_equal(dm_motion_generate(context, object, &desc, &motion), DM_OK);
+    assert_int_equal(dm_drag_begin(context, &held, &drag), DM_OK);
+    for (int i = 0; i < 10; i++) assert_int_equal(dm_drag_update(context, drag, &ray, 0.02f, &now), DM_OK);
+    assert_int_equal(dm_drag_end(context, drag, NULL), DM_OK);
+    assert_int_equal(dm_motion_destroy(context, motion), DM_OK);
+}
+
 /* A pull opens the first part of each, which is a door. */
 static void files_of_earlier_versions_play_their_motions(void** state) {
     (void)state;
@@ -708,6 +743,35 @@ static void files_of_earlier_versions_play_their_motions(void** state) {
         assert_true(fabsf(values[0]) < 0.05f);
         assert_true(values[DM_MOTION_FRAMES - 1] > 0.5f * joint.upper && values[DM_MOTION_FRAMES - 1] <= joint.upper);
         free(data);
+    }
+    test_world_close(&w);
+}
+
+/* The features are there when the object is, and no later call writes them: two threads may generate motions of it. */
+static void nothing_is_encoded_later(void** state) {
+    (void)state;
+    static const char* const files[] = {NULL, CORPUS, "tests/abi/corpus/cabinet_0.2.0.dmo"};
+    test_world w;
+    test_world_init(&w);
+    test_world_open(&w);
+    test_world_load_model(&w);
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        size_t size = 0;
+        void* data = files[i] != NULL ? test_read_file(files[i], &size) : NULL;
+        dm_object object = 0;
+        if (data == NULL)
+            object = make_object(&w, 0);
+        else
+            assert_int_equal(dm_object_load(w.context, data, size, w.model, &object), DM_OK);
+        free(data);
+        const dmi_object_slot* slot = dmi_pool_get(w.context->objects, object);
+        const size_t bytes = slot->object->part_count * sizeof *slot->features;
+        assert_non_null(slot->features);
+        void* before = malloc(bytes);
+        memcpy(before, slot->features, bytes);
+        use_a_door(w.context, object);
+        assert_memory_equal(slot->features, before, bytes);
+        free(before);
     }
     test_world_close(&w);
 }
@@ -753,6 +817,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(numbers_of_old_points_have_their_edges),
         cmocka_unit_test(points_of_a_forged_file_are_refused),
         cmocka_unit_test(files_of_earlier_versions_play_their_motions),
+        cmocka_unit_test(nothing_is_encoded_later),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -169,7 +169,7 @@ static double parameter(const dmi_weights* weights, int index, uint32_t row, uin
     float tensor[4 * WIDTH * WIDTH]; /* the largest */
     const uint32_t rows = parameters[index].rows, cols = parameters[index].cols;
     assert_true(rows * (cols ? cols : 1) <= sizeof tensor / sizeof *tensor);
-    assert_true(dmi_weights_read(weights, parameters[index].name, rows, cols, tensor));
+    assert_true(dmi_weights_read(weights, parameters[index].name, rows, cols, tensor, NULL));
     return tensor[row * (cols ? cols : 1) + col];
 }
 

@@ -301,7 +301,7 @@ static void nothing_slips_between_triangles(void** state) {
         for (uint32_t i = 0; i < 20000; i++) {
             const uint32_t face = dmi_random_u32(&random) % bvh->mesh->parts[0].solid_count;
             const float* corner[3];
-            dmi_bvh_corners(bvh, &bvh->parts[0], face, corner);
+            dmi_bvh_corners(&bvh->parts[0], face, corner);
             const float t0 = i % 3 == 0 ? 0 : i % 3 == 1 ? 0.5f : dmi_random_unit(&random);
             dmi_part_ray ray = {.far = INFINITY};
             for (int k = 0; k < 3; k++) {
@@ -442,11 +442,10 @@ static void place_stage(stage* s, placed_stage* out) {
             dmi_placed_part* part = &object->parts[p];
             part->owner = object;
             part->shape = &s->bvh[1]->parts[p];
-            part->first_hit = s->picker[1]->backend->first_hit;
             part->pose = s->part[i][p];
             assert_int_equal(dmi_top_tree_add(&out->tree, part, &part->leaf), DM_OK);
             const dmi_placed_part* at_rest = NULL;
-            dmi_placed_part_update(part, placement, from_inner, &at_rest, &out->tree.leaves[part->leaf].box);
+            dmi_placed_part_update(part, &out->tree, placement, from_inner, &at_rest);
             dmi_top_tree_place(&out->tree, part->leaf);
         }
         out->objects[i] = object;

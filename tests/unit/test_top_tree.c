@@ -48,7 +48,7 @@ static uint32_t check_reference(bench* b, uint32_t reference, uint32_t parent, c
     if (reference & DMI_LEAF) {
         const dmi_top_leaf* leaf = &b->tree.leaves[reference & ~DMI_LEAF];
         assert_true(leaf->placed && leaf->parent == parent && inside(&leaf->box, low, high));
-        b->seen[(int*)b->tree.items[reference & ~DMI_LEAF] - b->there]++;
+        b->seen[(const int*)dmi_top_tree_item(&b->tree, reference & ~DMI_LEAF)->part - b->there]++;
         return 0;
     }
     const dmi_top_node* node = &b->tree.nodes[reference];

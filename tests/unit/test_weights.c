@@ -41,15 +41,17 @@ static void tensors_are_found_by_name_and_shape(void** state) {
     test_env_open(&t, TEST_NEVER);
     assert_int_equal(dmi_weights_open(&t.env, file.data, file.size, "net", 1, &weights), DM_OK);
     float m[6], v[4];
-    assert_true(dmi_weights_read(weights, "m", 2, 3, m));
+    bool finite = false;
+    assert_true(dmi_weights_read(weights, "m", 2, 3, m, &finite));
+    assert_true(finite);
     assert_true(m[0] == 0.0f && m[5] == 5.0f);
-    assert_true(dmi_weights_read(weights, "v", 4, 0, v));
+    assert_true(dmi_weights_read(weights, "v", 4, 0, v, NULL));
     assert_true(v[0] == 6.0f && v[3] == 9.0f);
     assert_int_equal(t.messages.count, 0);
-    assert_false(dmi_weights_read(weights, "m", 3, 2, m));
-    assert_false(dmi_weights_read(weights, "m", 6, 0, m));
-    assert_false(dmi_weights_read(weights, "v", 4, 1, v));
-    assert_false(dmi_weights_read(weights, "w", 4, 0, v));
+    assert_false(dmi_weights_read(weights, "m", 3, 2, m, NULL));
+    assert_false(dmi_weights_read(weights, "m", 6, 0, m, NULL));
+    assert_false(dmi_weights_read(weights, "v", 4, 1, v, NULL));
+    assert_false(dmi_weights_read(weights, "w", 4, 0, v, NULL));
     assert_int_equal(t.messages.count, 4);
     assert_string_equal(dmi_weights_metadata(weights, "commit"), "abc");
     assert_null(dmi_weights_metadata(weights, "author"));
@@ -77,7 +79,7 @@ static void halves_are_widened_exactly(void** state) {
     test_env_open(&t, TEST_NEVER);
     assert_int_equal(dmi_weights_open(&t.env, file.data, file.size, "net", 1, &weights), DM_OK);
     float values[CASES];
-    assert_true(dmi_weights_read(weights, "h", CASES, 0, values));
+    assert_true(dmi_weights_read(weights, "h", CASES, 0, values, NULL));
     for (size_t i = 0; i < CASES; ++i)
         if (memcmp(&values[i], &cases[i].value, sizeof(float)) != 0)
             fail_msg("%04x became %a", cases[i].half, (double)values[i]);
@@ -364,7 +366,9 @@ static void all_halves_are_widened(void** state) {
     }
     test_env_open(&t, TEST_NEVER);
     assert_int_equal(dmi_weights_open(&t.env, file.data, file.size, "net", 1, &weights), DM_OK);
-    assert_true(dmi_weights_read(weights, "h", HALVES, 0, values));
+    bool finite = true;
+    assert_true(dmi_weights_read(weights, "h", HALVES, 0, values, &finite));
+    assert_false(finite);
     for (uint32_t i = 0; i < HALVES; i++) {
         const int exponent = (int)(i >> 10 & 31), fraction = (int)(i & 1023);
         const double size = exponent == 0    ? ldexp(fraction, -24)

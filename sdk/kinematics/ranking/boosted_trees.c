@@ -2,6 +2,7 @@
 #include "kinematics/ranking/ranker.h"
 
 #include <math.h>
+#include <string.h>
 
 #define BATCH 16 /* rows at a time, because each waits for its own memory; measured */
 
@@ -10,28 +11,53 @@ typedef struct raw_tree {
     const float *column, *value;
 } raw_tree;
 
-/* Reads and checks a tree. Returns whether the nodes form one. Nodes lie level by level: the two children of a split
- * come after those of the splits before it, so every path ends in a leaf. */
-static int read_tree(const raw_tree* raw, dmi_tree_node* nodes, float* scores, uint32_t* out_depth) {
-    uint32_t depth[DMI_TREE_NODES] = {0}, left = 1;
-    *out_depth = 0;
+/* Converts the columns of a tree's nodes. Returns whether all are columns or leaves, and all values are numbers. */
+static bool read_columns(const raw_tree* raw, int32_t out_columns[DMI_TREE_NODES]) {
+    uint32_t bad = 0;
     for (uint32_t n = 0; n < DMI_TREE_NODES; n++) {
-        const float column = raw->column[n], value = raw->value[n];
-        if (!isfinite(value)) return 0;
-        if (column == -1) {
-            nodes[n] = (dmi_tree_node){.value = INFINITY, .left = (uint8_t)n};
-            scores[n] = value;
-            continue;
-        }
-        if (!(column >= 0 && column < DMI_FEATURE_COUNT && column == (float)(uint8_t)column) || left <= n ||
-            left >= DMI_TREE_NODES - 1)
-            return 0;
-        nodes[n] = (dmi_tree_node){.value = value, .column = (uint8_t)column, .left = (uint8_t)left};
-        scores[n] = 0;
-        *out_depth = depth[left] = depth[left + 1] = depth[n] + 1;
-        left += 2;
+        const float above = raw->column[n] > -1 ? raw->column[n] : -1;
+        const float held = above < DMI_FEATURE_COUNT - 1 ? above : DMI_FEATURE_COUNT - 1;
+        out_columns[n] = (int32_t)held;
+        bad |= (uint32_t)((float)out_columns[n] != raw->column[n]) | (uint32_t) !(fabsf(raw->value[n]) < INFINITY);
     }
-    return 1;
+    return bad == 0;
+}
+
+/* Returns a where all bits of the mask are set, b where none is. */
+static float choose(uint32_t mask, float a, float b) {
+    uint32_t bits[2];
+    memcpy(&bits[0], &a, sizeof a);
+    memcpy(&bits[1], &b, sizeof b);
+    bits[0] = (bits[0] & mask) | (bits[1] & ~mask);
+    memcpy(&a, &bits[0], sizeof a);
+    return a;
+}
+
+/* Reads and checks a tree. Returns whether the nodes form one. Nodes lie level by level: the two children of a split
+ * come after those of the splits before it, so every path ends in a leaf. No branch asks whether a node is a leaf: no
+ * processor would foresee it. */
+static bool read_tree(const raw_tree* raw, dmi_tree_node* nodes, float* scores, uint32_t* out_depth) {
+    int32_t columns[DMI_TREE_NODES];
+    uint32_t left = 1, bad = 0, deepest = 0;
+    uint32_t level = 1, level_end = 1; /* levels of nodes so far, and the first node of the next */
+    if (!read_columns(raw, columns)) return false;
+    for (uint32_t n = 0; n < DMI_TREE_NODES; n++) {
+        if (n == level_end) {
+            level_end = left;
+            level++;
+        }
+        const uint32_t leaf = 0u - (uint32_t)(columns[n] < 0), split = ~leaf; /* all bits, or none */
+        bad |= split & ((uint32_t)(left <= n) | (uint32_t)(left >= DMI_TREE_NODES - 1));
+        nodes[n].value = choose(leaf, INFINITY, raw->value[n]);
+        nodes[n].column = (uint8_t)((uint32_t)columns[n] & split);
+        nodes[n].left = (uint8_t)((n & leaf) | (left & split));
+        scores[n] = choose(leaf, raw->value[n], 0);
+        deepest = (deepest & leaf) | (level & split);
+        left += 2 & split;
+        left = left < DMI_TREE_NODES ? left : DMI_TREE_NODES;
+    }
+    *out_depth = deepest;
+    return bad == 0;
 }
 
 void dmi_boosted_trees_read(dmi_loader* loader, dmi_boosted_trees* out_trees) {
