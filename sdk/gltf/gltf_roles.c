@@ -227,9 +227,10 @@ static int32_t gltf_find_finer(const dm_gltf* gltf, int32_t finest, int32_t node
 
 /* ---- colliders ---- */
 
-/* Names that exporters give to shapes for collisions alone: those of Unreal, those of Godot, and the common suffix. */
+/* Names that exporters give to shapes for collisions alone: those of Unreal, those of Godot, and common suffixes. */
 static const char* const prefixes[] = {"UCX_", "UBX_", "USP_", "UCP_"};
-static const char* const suffixes[] = {"_collider", "-colonly", "-convcolonly"};
+static const char* const suffixes[] = {"_collider", "-collider", "_collision",  "-collision",
+                                       "_hitbox",   "-colonly",  "-convcolonly"};
 
 /* Returns the length of a name without the number that Blender and others put behind it: door-colonly.001,
  * door_collider2. */

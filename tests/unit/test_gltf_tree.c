@@ -167,11 +167,13 @@ static void a_flat_node_is_shown(void** state) {
 
 static void shapes_for_collisions_are_left_out(void** state) {
     (void)state;
-    static const char* const colliders[] = {"UCX_door",         "UBX_door_01",      "USP_knob",      "UCP_bar",
-                                            "door_collider",    "door_collider2",   "Door_Collider", "door-colonly",
-                                            "door-convcolonly", "door-colonly.001", "_collider"};
-    static const char* const bodies[] = {"door",    "collider", "UCX", "ucx_door", "door_collider_frame",
-                                         "colonly", "007"};
+    static const char* const colliders[] = {
+        "UCX_door",         "UBX_door_01",        "USP_knob",       "UCP_bar",
+        "door_collider",    "door_collider2",     "Door_Collider",  "door-colonly",
+        "door-convcolonly", "door-colonly.001",   "_collider",      "bridge_collision",
+        "door-collider",    "Door_Collision.002", "Gate-Collision", "crate_hitbox"};
+    static const char* const bodies[] = {"door",    "collider", "UCX",      "ucx_door",         "door_collider_frame",
+                                         "colonly", "007",      "wall-col", "collision_sensor", "hitbox"};
     char nodes[256], seen[64];
     for (size_t i = 0; i < sizeof colliders / sizeof *colliders; i++) {
         snprintf(nodes, sizeof nodes, "{\"name\":\"%s\",\"mesh\":0}," TWO, colliders[i]);
