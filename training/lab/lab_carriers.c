@@ -8,9 +8,9 @@
 #include "lab_asset_draw.h"
 #include "math/frames.h"
 
-#define MOVES 0.5f    /* probability from which on a body is answered */
-#define FOUND 0.9f    /* overlap with the true part from which on a body is that part */
-#define UNRATED -1.0f /* stands for the probability of true bodies, which nothing rates */
+#define MOVES 0.5f      /* probability from which on a body is answered */
+#define FOUND 0.9f      /* overlap with the true part from which on a body is that part */
+#define UNRATED (-1.0f) /* stands for the probability of true bodies, which nothing rates */
 
 /* Bodies of an asset: found ones or true ones. */
 typedef struct bodies {
