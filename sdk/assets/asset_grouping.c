@@ -231,7 +231,7 @@ static dm_result find_bodies(const dmi_asset_query* q, const dmi_asset_units* u,
     if (result == DM_OK) result = dmi_merge_tree_make(q->arena, &cells, &labels, q->models, &merging, &tree);
     if (result == DM_OK) result = choose_bodies(q, u, &tree, out, body_of_unit, &moves);
     if (result == DM_OK) result = dmi_asset_attach_loose_units(q->arena, &cells, out->count, body_of_unit);
-    if (result == DM_OK) result = dmi_asset_find_carriers(q, u, &cells, body_of_unit, out);
+    if (result == DM_OK) result = dmi_asset_find_carriers(q, u, &cells, &labels, body_of_unit, out);
     if (result == DM_OK) result = list_staying_bodies(q->arena, &tree, moves, out, body_of_unit);
     return result == DM_OK ? spread_to_nodes(q, u, body_of_unit, out) : result;
 }

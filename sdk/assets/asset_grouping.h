@@ -6,6 +6,7 @@
 
 #include "assets/asset_models.h"
 #include "assets/node_cells.h"
+#include "assets/node_labels.h"
 #include "base/arena.h"
 #include "base/progress.h"
 #include "mesh/mesh.h"
@@ -46,6 +47,12 @@ typedef struct dmi_asset_bodies {
     uint32_t* body_of_node; /* one a node; DMI_ASSET_BODY: it stays */
 } dmi_asset_bodies;
 
+/* Returns whether the carrier is the body itself, or carries it, directly or through others. */
+static inline bool dmi_asset_is_carried_by(const dmi_asset_bodies* bodies, uint32_t body, uint32_t carrier) {
+    while (body != DMI_ASSET_BODY && body != carrier) body = bodies->bodies[body].carrier;
+    return body == carrier;
+}
+
 /* Finds the bodies that may move. */
 dm_result dmi_asset_find_bodies(dmi_env* env, const dmi_asset_query* query, dmi_asset_bodies* out);
 
@@ -67,9 +74,9 @@ typedef struct dmi_asset_units {
 dm_result dmi_asset_attach_loose_units(dmi_arena* arena, const dmi_node_cells* grid, uint32_t body_count,
                                        uint32_t* inout_body_of_unit);
 
-/* Sets the carriers of all bodies. The units are the grid's nodes. */
+/* Sets the carriers of all bodies: by the models, else by rules. The units are the grid's nodes. */
 dm_result dmi_asset_find_carriers(const dmi_asset_query* query, const dmi_asset_units* units,
-                                  const dmi_node_cells* grid, const uint32_t* body_of_unit,
-                                  dmi_asset_bodies* inout_bodies);
+                                  const dmi_node_cells* grid, const dmi_node_labels* labels,
+                                  const uint32_t* body_of_unit, dmi_asset_bodies* inout_bodies);
 
 #endif

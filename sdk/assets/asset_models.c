@@ -3,11 +3,13 @@
 
 #include <math.h>
 
+#include "assets/carrier_features.h"
 #include "assets/merge_tree.h"
 
 #define PAIR_TREES 300
 #define SET_TREES 800
 #define CONTEXT_TREES 300
+#define CARRIER_TREES 100
 #define BLOCK_SIZE ((size_t)1 << 20)
 
 /* ---- trees ---- */
@@ -68,6 +70,7 @@ static void read_models(dmi_loader* loader, void* network) {
     for (int round = 0; round < DMI_CONTEXT_ROUNDS; round++)
         load_tree_ensemble(loader, round_names[round], CONTEXT_TREES, DMI_SET_FEATURES + DMI_CONTEXT_FEATURES,
                            &models->context[round]);
+    load_tree_ensemble(loader, "carriers", CARRIER_TREES, DMI_CARRIER_FEATURES, &models->carriers);
 }
 
 dm_result dmi_asset_models_load(dmi_env* env, const void* data, size_t size, dmi_asset_models* out) {

@@ -39,6 +39,7 @@ typedef struct dmi_asset_models {
     /* those and DMI_CONTEXT_FEATURES -> the same, in view of how the asset's other sets were rated in the round before
      */
     dmi_tree_ensemble context[DMI_CONTEXT_ROUNDS];
+    dmi_tree_ensemble carriers; /* DMI_CARRIER_FEATURES -> a body hangs on another; shares of all that may carry it */
 } dmi_asset_models;
 
 /* Loads the models from a file. Release with dmi_asset_models_release. */

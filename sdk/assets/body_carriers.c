@@ -1,6 +1,7 @@
-/* Finds which body a loose unit goes with, by what they touch, and what carries each body: by the file's own tree, else
- * by what it touches most. */
+/* Finds which body a loose unit goes with, by what they touch, and what carries each body: by the models, without them
+ * by the file's own tree, else by what it touches most. */
 #include "assets/asset_grouping.h"
+#include "assets/carrier_choice.h"
 
 #include <string.h>
 
@@ -141,11 +142,6 @@ static uint32_t find_larger(const touching* t, uint32_t b) {
     return best;
 }
 
-static bool is_carried_by(const dmi_asset_bodies* bodies, uint32_t body, uint32_t carrier) {
-    while (body != DMI_ASSET_BODY && body != carrier) body = bodies->bodies[body].carrier;
-    return body == carrier;
-}
-
 /* The body with a place that b touches most. held: body -> round in which it got its place, from 1; 0: not yet. */
 static uint32_t find_held(const touching* t, const uint16_t* held, uint16_t round, uint32_t b,
                           const dmi_asset_bodies* bodies) {
@@ -153,7 +149,7 @@ static uint32_t find_held(const touching* t, const uint16_t* held, uint16_t roun
     uint32_t best = DMI_ASSET_BODY;
     for (uint32_t k = 0; k < t->count; k++)
         if (held[k] > 0 && held[k] < round && row[k] > (best == DMI_ASSET_BODY ? 0 : row[best]) &&
-            !is_carried_by(bodies, k, b))
+            !dmi_asset_is_carried_by(bodies, k, b))
             best = k;
     return best;
 }
@@ -174,22 +170,38 @@ static void hang_chains(const touching* t, uint16_t* held, dmi_asset_bodies* out
     }
 }
 
-dm_result dmi_asset_find_carriers(const dmi_asset_query* q, const dmi_asset_units* u, const dmi_node_cells* g,
-                                  const uint32_t* body_of_unit, dmi_asset_bodies* out) {
+/* Sets the carriers by rules. */
+static dm_result carry_by_contacts(dmi_arena* arena, const dmi_node_cells* g, const uint32_t* body_of_unit,
+                                   dmi_asset_bodies* out) {
     touching t;
-    uint16_t* held = dmi_arena_push(q->arena, (out->count + 1) * sizeof *held);
-    const dm_result result = find_touching(q->arena, g, body_of_unit, out->count, &t);
+    uint16_t* held = dmi_arena_push(arena, (out->count + 1) * sizeof *held);
+    const dm_result result = find_touching(arena, g, body_of_unit, out->count, &t);
     if (result != DM_OK || held == NULL) return DM_ERROR_OUT_OF_MEMORY;
     for (uint32_t b = 0; b < out->count; b++) {
         out->bodies[b].carrier = find_larger(&t, b);
         held[b] = out->bodies[b].carrier != DMI_ASSET_BODY || row_of(&t, b)[out->count] > 0;
     }
     hang_chains(&t, held, out);
+    return DM_OK;
+}
+
+/* Hangs bodies where the file's own tree says: all of them, or those that are given alone. */
+static void carry_by_tree(const dmi_asset_query* q, const dmi_asset_units* u, const uint32_t* body_of_unit,
+                          bool given_alone, dmi_asset_bodies* out) {
     for (uint32_t unit = 0; unit < u->count; unit++) {
         const uint32_t b = body_of_unit[unit];
         if (b == DMI_ASSET_BODY) continue;
+        if (given_alone && q->nodes[u->node[unit]].given_body == DMI_ASSET_BODY) continue;
         const uint32_t above = carrier_in_tree(q, u, body_of_unit, unit);
-        if (above != DMI_ASSET_BODY && !is_carried_by(out, above, b)) out->bodies[b].carrier = above;
+        if (above != DMI_ASSET_BODY && !dmi_asset_is_carried_by(out, above, b)) out->bodies[b].carrier = above;
     }
-    return DM_OK;
+}
+
+dm_result dmi_asset_find_carriers(const dmi_asset_query* q, const dmi_asset_units* u, const dmi_node_cells* g,
+                                  const dmi_node_labels* labels, const uint32_t* body_of_unit, dmi_asset_bodies* out) {
+    const bool rated = q->models != NULL;
+    const dm_result result = rated ? dmi_asset_choose_carriers(q->arena, q->models, g, labels, body_of_unit, out)
+                                   : carry_by_contacts(q->arena, g, body_of_unit, out);
+    if (result == DM_OK) carry_by_tree(q, u, body_of_unit, rated, out);
+    return result;
 }

@@ -1,6 +1,6 @@
 """The trees that group an asset's nodes (sdk/assets), fitted on generated assets. One ensemble rates whether two nodes are
 one body; one which of the sets that merging by it makes are bodies that move, by the set alone; two the same, each in view of how
-the one before rated the asset's other sets.
+the one before rated the asset's other sets. A last one says which body carries which (carriers.py).
 
     PYTHONPATH=training python3 -m dragmesh_training.assets -o sdk/models/asset_parts.safetensors
 
@@ -15,6 +15,7 @@ import os
 
 import numpy as np
 
+from . import carriers
 from .boosted_trees import Rows, Rule, Trees, bin_edges, level_by_level, put_into_bins
 from .config import EVERYDAY
 from .export import commit, write_safetensors
@@ -23,7 +24,8 @@ from .lab import Options, category_weights, chosen_kinds, kinds, open_lab
 
 ARCHITECTURE = "dragmesh-asset-parts"
 PAIR_TREES, SET_TREES, CONTEXT_TREES, LEAVES = 300, 800, 300, 32  # as in sdk/assets/asset_models.c and asset_models.h
-TREES = {"pairs": PAIR_TREES, "sets": SET_TREES, "context": CONTEXT_TREES, "context_again": CONTEXT_TREES}
+TREES = {"pairs": PAIR_TREES, "sets": SET_TREES, "context": CONTEXT_TREES, "context_again": CONTEXT_TREES,
+         "carriers": carriers.TREES}
 ROUNDS = ("context", "context_again")  # ensembles of DMI_CONTEXT_ROUNDS
 PAIR_RATE, SET_RATE = 0.06, 0.03  # shrinkage of each tree's leaves, on kinds held out
 FOUND = 0.9  # overlap with the true body from which a set counts as found
@@ -177,12 +179,27 @@ def untrained(grown):
             for name, count in TREES.items() if name not in grown}
 
 
+def train_carriers(options, lab, metadata, grown):
+    """Adds the trees that tell which body carries which to a file of the others, or replaces them."""
+    grown = {name: pair for name, pair in grown.items() if name != "carriers"}
+    weights, seed = write(options.out, metadata, **grown, **untrained(grown)), options.seed + 5
+    mask, half = asset_weights(lab, "trained"), options.carriers // 2
+    data = carriers.join([carriers.gather(options, mask, *of) for of in ((weights, half, seed), (None, half, seed + 1))])
+    print(f"{len(data[0])} candidates for carriers", flush=True)
+    grown["carriers"] = carriers.grow(lab, data, options.seed)
+    write(options.out, metadata, **grown)
+    held_out = carriers.gather(options, asset_weights(lab, "test_only"), weights, options.held_out, options.seed + 1005)
+    print("kinds held out, carriers:", carriers.score(probabilities(grown["carriers"], held_out[0]), held_out), flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("-o", "--out", required=True)
     parser.add_argument("--pairs", type=int, default=5000, help="assets that the pairs are from")
     parser.add_argument("--sets", type=int, default=30000, help="assets that the sets are from")
     parser.add_argument("--context", type=int, default=8000, help="assets that the sets of each round in context are from")
+    parser.add_argument("--carriers", type=int, default=8000, help="assets that the carriers are from")
+    parser.add_argument("--only-carriers", action="store_true", help="keep the file but for its trees of carriers")
     parser.add_argument("--held-out", type=int, default=400, help="assets of the kinds that are not trained on")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--workers", type=int, default=2)
@@ -194,6 +211,8 @@ def main():
     lab = open_lab(*([options.lab] if options.lab else []))
     if not options.lab:
         options.lab = lab._name
+    if options.only_carriers:
+        return train_carriers(options, lab, *carriers.read_ensembles(options.out))
     metadata = {"architecture": ARCHITECTURE, "version": "1", "commit": commit()}
     features, target, _, first, _ = gather(options, None, 0, "trained", options.pairs, options.seed)
     print(f"{len(features)} pairs", flush=True)
@@ -210,6 +229,7 @@ def main():
     for stage, name in enumerate(ROUNDS):
         held_out = gather(options, weights, stage + 1, "test_only", options.held_out, options.seed + 1000 + stage)
         print(f"kinds held out, {name}:", score(grown[name], held_out), flush=True)
+    train_carriers(options, lab, metadata, grown)
 
 
 if __name__ == "__main__":

@@ -5,11 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asset.h"
-#include "assets/asset_grouping.h"
 #include "assets/merge_tree.h"
 #include "base/random.h"
 #include "generator.h"
+#include "lab_asset_draw.h"
 #include "math/frames.h"
 
 #define BLOCK ((size_t)1 << 20) /* bytes */
@@ -21,17 +20,7 @@
 #define FIXED_DETAILS 0.35f /* share of assets in which the smallest parts stay */
 #define DETAIL 0.01f        /* share of the asset's area below which a part is a detail */
 
-typedef struct drawn {
-    dmi_env* env;
-    dmg_asset asset;
-    dmi_mesh* mesh;
-    dmi_arena arena;
-    dmi_asset_node* nodes;
-    uint32_t *of_part, *unit_node, *body; /* body of each unit; 0: it stays */
-    uint32_t unit_count;
-    dmi_node_labels labels;
-    dmi_node_cells cells;
-} drawn;
+typedef dm_lab_drawn_asset drawn;
 
 uint32_t dm_lab_asset_pair_columns(void) {
     return DMI_PAIR_FEATURES;
@@ -128,26 +117,26 @@ static void fix_details(drawn* d) {
     }
 }
 
-/* Makes the `index`-th asset of the options' stream. Close after success. */
-static dm_result open_asset(dmi_env* env, const dm_lab_options* options, uint32_t index, drawn* d) {
+dm_result dm_lab_open_asset(dmi_env* env, const dm_lab_options* options, uint32_t index, drawn* d) {
     dmi_random random = dmi_random_make(options->seed, index);
     *d = (drawn){.env = env};
     if (!draw_asset(options, &random, &d->asset)) return DM_ERROR_INTERNAL;
     dmi_arena_init(&d->arena, env, BLOCK);
-    const bool use_names = dmi_random_unit(&random) >= NAMELESS, fixed = dmi_random_unit(&random) < FIXED_DETAILS;
+    d->use_names = dmi_random_unit(&random) >= NAMELESS;
+    const bool fixed = dmi_random_unit(&random) < FIXED_DETAILS;
     dm_result result = make_mesh(d);
     if (result == DM_OK) result = list_units(d);
     if (result == DM_OK && d->unit_count > MOST_UNITS) d->unit_count = 0;
     if (result == DM_OK)
-        result = dmi_node_labels_make(&d->arena, d->nodes, d->asset.node_count, d->unit_node, d->unit_count, use_names,
-                                      &d->labels);
+        result = dmi_node_labels_make(&d->arena, d->nodes, d->asset.node_count, d->unit_node, d->unit_count,
+                                      d->use_names, &d->labels);
     if (result == DM_OK && d->unit_count > 0)
         result = dmi_node_cells_make(&d->arena, d->mesh, d->of_part, d->unit_count, NULL, &d->cells);
     if (result == DM_OK && fixed) fix_details(d);
     return result;
 }
 
-static void close_asset(drawn* d) {
+void dm_lab_close_asset(drawn* d) {
     dmi_arena_release(&d->arena);
     dmi_mesh_destroy(d->env, d->mesh);
     dmg_asset_release(&d->asset);
@@ -221,11 +210,11 @@ static dm_result write_batch(dmi_env* env, const dm_lab_options* options, const 
     for (uint32_t i = 0; i < options->count && result == DM_OK; i++) {
         drawn d;
         out->first[i] = used;
-        result = open_asset(env, options, i, &d);
+        result = dm_lab_open_asset(env, options, i, &d);
         if (result == DM_OK && d.unit_count > 0)
             result = out->children != NULL ? write_sets(&d, models, rounds, out, &used) : write_pairs(&d, out, &used);
         out->movers[i] = count_movers(&d);
-        close_asset(&d);
+        dm_lab_close_asset(&d);
     }
     out->first[options->count] = used;
     return result;
