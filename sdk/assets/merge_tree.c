@@ -27,7 +27,7 @@ static float box_inside(const dmi_node_cells* g, uint32_t a, uint32_t b) {
     return share;
 }
 
-/* Counts the vertices of node a at the place of a vertex of node b. */
+/* Puts what two nodes' boxes tell: extents, what a adds to b, their gap, shares inside each other, thin sides. */
 static void put_boxes(dmi_row* r, const dmi_node_cells* g, uint32_t a, uint32_t b) {
     float extent_a[3], extent_b[3], both[3], low[3], high[3], gap = 0;
     dmi_sorted_extents(g->low_of[a], g->high_of[a], extent_a);
