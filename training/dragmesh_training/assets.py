@@ -16,7 +16,7 @@ import os
 import numpy as np
 
 from . import carriers
-from .boosted_trees import Rows, Rule, Trees, bin_edges, level_by_level, put_into_bins
+from .boosted_trees import Rule, bin_edges, grow_trees, put_into_bins
 from .config import EVERYDAY
 from .export import commit, write_safetensors
 from .files import save_arrays
@@ -105,19 +105,7 @@ def grow(lab, features, target, first, count, rate, seed):
     """(columns, values) of the trees that give each row's log odds."""
     edges = bin_edges(features[::max(1, len(features) // EDGE_ROWS)])
     arrays = (first, put_into_bins(features, edges), np.log(row_weights(first)).astype(np.float32), target.astype(np.float32))
-    rows = Rows(features.shape[1], len(first) - 1, *[array.ctypes.data for array in arrays], None)
-    rule = Rule(count, LEAVES, 8, rate, 2, 5, 0.6, 0.4, seed, 1)
-    nodes = {name: np.zeros((count, 2 * LEAVES - 1), dtype) for name, dtype in (
-        ("column", np.int32), ("bin", np.int32), ("left", np.int32), ("score", np.float32))}
-    report = ctypes.CFUNCTYPE(None, ctypes.c_uint32, ctypes.c_double)(
-        lambda trees, loss: print(f"{trees} trees, loss of an asset {loss:.3f}", flush=True))
-    result = lab.dm_lab_boost(ctypes.byref(rows), ctypes.byref(rule), report,
-                              ctypes.byref(Trees(*[array.ctypes.data for array in nodes.values()])))
-    if result != 0:
-        raise RuntimeError(f"dm_lab_boost: {result}")
-    value = np.where(nodes["column"] >= 0, edges[nodes["column"], nodes["bin"]], nodes["score"])
-    order = np.stack([level_by_level(*tree) for tree in zip(nodes["column"], nodes["left"])])
-    return tuple(np.take_along_axis(array, order, 1).astype(np.float16) for array in (nodes["column"], value))
+    return grow_trees(lab, arrays, edges, Rule(count, LEAVES, 8, rate, 2, 5, 0.6, 0.4, seed, 1), ", loss of an asset")
 
 
 def probabilities(trees, features):

@@ -79,23 +79,28 @@ def level_by_level(column, left):
     return np.array(order + sorted(set(range(len(column))) - set(order)))
 
 
-def grow_by(lab, cases, rule, factor=1):
-    """(columns, values) of the trees that a rule gives; leaves' scores times `factor`."""
-    first, *rows_of, edges = gather(cases)
+def grow_trees(lab, arrays, edges, rule, report, factor=1):
+    """(columns, values) of the trees that a rule gives, float16, level by level; leaves' scores times `factor`. arrays: where each
+    case begins, bins, log weights and target probabilities, and scores that the trees correct where there are any. report: the text
+    between the number of trees and the loss."""
     nodes = {name: np.zeros((rule.trees, 2 * rule.leaves - 1), dtype) for name, dtype in (
         ("column", np.int32), ("bin", np.int32), ("left", np.int32), ("score", np.float32))}
-    pointers = [array.ctypes.data for array in (first, *rows_of)]
-    rows = Rows(rows_of[0].shape[1], len(first) - 1, *pointers)
-    report = ctypes.CFUNCTYPE(None, ctypes.c_uint32, ctypes.c_double)(
-        lambda trees, loss: print(f"{trees} trees loss {loss:.3f}", flush=True))
-    result = lab.dm_lab_boost(ctypes.byref(rows), ctypes.byref(rule), report,
+    rows = Rows(arrays[1].shape[1], len(arrays[0]) - 1, *[array.ctypes.data for array in arrays])
+    told = ctypes.CFUNCTYPE(None, ctypes.c_uint32, ctypes.c_double)(
+        lambda trees, loss: print(f"{trees} trees{report} {loss:.3f}", flush=True))
+    result = lab.dm_lab_boost(ctypes.byref(rows), ctypes.byref(rule), told,
                               ctypes.byref(Trees(*[array.ctypes.data for array in nodes.values()])))
     if result != 0:
         raise RuntimeError(f"dm_lab_boost: {result}")
-    splits = nodes["column"] >= 0
-    value = np.where(splits, edges[nodes["column"], nodes["bin"]], factor * nodes["score"])
+    value = np.where(nodes["column"] >= 0, edges[nodes["column"], nodes["bin"]], factor * nodes["score"])
     order = np.stack([level_by_level(*tree) for tree in zip(nodes["column"], nodes["left"])])
     return tuple(np.take_along_axis(array, order, 1).astype(np.float16) for array in (nodes["column"], value))
+
+
+def grow_by(lab, cases, rule, factor=1):
+    """(columns, values) of the trees that a rule gives; leaves' scores times `factor`."""
+    *arrays, edges = gather(cases)
+    return grow_trees(lab, arrays, edges, rule, " loss", factor)
 
 
 def grow(lab, cases, seed):

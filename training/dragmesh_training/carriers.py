@@ -11,7 +11,7 @@ import struct
 
 import numpy as np
 
-from .boosted_trees import Rows, Rule, Trees, bin_edges, level_by_level, put_into_bins
+from .boosted_trees import Rule, bin_edges, grow_trees, put_into_bins
 from .files import save_arrays
 from .lab import Options, open_lab
 
@@ -89,21 +89,9 @@ def grow(lab, data, seed):
     edges, prior = bin_edges(features), np.zeros(len(features), np.float32)
     prior[first[1:].astype(int) - 1] = STAYS_LOG_ODDS  # what stays is a body's last candidate
     arrays = (first, put_into_bins(features, edges), prior, target)
-    rows = Rows(features.shape[1], len(first) - 1, *[array.ctypes.data for array in arrays], None)
-    rule = Rule(TREES, LEAVES, 8, RATE, 5, 2, 0.6, 0.4, seed)
-    nodes = {name: np.zeros((TREES, 2 * LEAVES - 1), dtype) for name, dtype in (
-        ("column", np.int32), ("bin", np.int32), ("left", np.int32), ("score", np.float32))}
-    report = ctypes.CFUNCTYPE(None, ctypes.c_uint32, ctypes.c_double)(
-        lambda trees, loss: print(f"{trees} trees, loss of a body {loss:.3f}", flush=True))
-    result = lab.dm_lab_boost(ctypes.byref(rows), ctypes.byref(rule), report,
-                              ctypes.byref(Trees(*[array.ctypes.data for array in nodes.values()])))
-    if result != 0:
-        raise RuntimeError(f"dm_lab_boost: {result}")
-    value = np.where(nodes["column"] >= 0, edges[nodes["column"], nodes["bin"]], nodes["score"])
-    order = np.stack([level_by_level(*tree) for tree in zip(nodes["column"], nodes["left"])])
+    trees = grow_trees(lab, arrays, edges, Rule(TREES, LEAVES, 8, RATE, 5, 2, 0.6, 0.4, seed), ", loss of a body")
     room = [(0, 0), (0, 2 * (MOST_LEAVES - LEAVES))]
-    return tuple(np.pad(np.take_along_axis(array, order, 1).astype(np.float16), room, constant_values=unused)
-                 for array, unused in ((nodes["column"], -1), (value, 0)))
+    return tuple(np.pad(array, room, constant_values=unused) for array, unused in zip(trees, (-1, 0)))
 
 
 def score(scores, data):
