@@ -25,4 +25,7 @@ typedef struct dm_lab_drawn_asset {
 dm_result dm_lab_open_asset(dmi_env* env, const dm_lab_options* options, uint32_t index, dm_lab_drawn_asset* out);
 void dm_lab_close_asset(dm_lab_drawn_asset* out);
 
+/* Describes the mesh, with a part a node: node i has the id i + 1. The ids are of the asset's arena. */
+dm_result dm_lab_describe_mesh(dm_lab_drawn_asset* asset, dm_mesh_desc* out);
+
 #endif

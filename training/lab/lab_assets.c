@@ -58,21 +58,28 @@ static bool draw_asset(const dm_lab_options* options, dmi_random* random, dmg_as
     return false;
 }
 
-static dm_result make_mesh(drawn* d) {
+dm_result dm_lab_describe_mesh(drawn* d, dm_mesh_desc* out) {
     const dmg_object* o = &d->asset.object;
     uint32_t* ids = dmi_arena_push(&d->arena, (o->face_count + 1) * sizeof *ids);
     if (ids == NULL) return DM_ERROR_OUT_OF_MEMORY;
     for (uint32_t f = 0; f < o->face_count; f++) ids[f] = d->asset.face_node[f] + 1;
+    *out = (dm_mesh_desc){.struct_size = sizeof *out,
+                          .positions = o->positions,
+                          .vertex_count = o->vertex_count,
+                          .indices = o->indices,
+                          .index_count = (uint64_t)o->face_count * 3,
+                          .part_ids = ids,
+                          .part_id_bytes = o->face_count * sizeof *ids,
+                          .part_id_scope = DM_PER_FACE};
+    return DM_OK;
+}
+
+static dm_result make_mesh(drawn* d) {
+    dm_mesh_desc desc;
+    const dm_result result = dm_lab_describe_mesh(d, &desc);
+    if (result != DM_OK) return result;
     dmi_axes axes;
     dmi_axes_init(&axes, 0, NULL, 1);
-    const dm_mesh_desc desc = {.struct_size = sizeof desc,
-                               .positions = o->positions,
-                               .vertex_count = o->vertex_count,
-                               .indices = o->indices,
-                               .index_count = (uint64_t)o->face_count * 3,
-                               .part_ids = ids,
-                               .part_id_bytes = o->face_count * sizeof *ids,
-                               .part_id_scope = DM_PER_FACE};
     return dmi_mesh_create_pieces(d->env, &axes, &desc, NULL, &d->mesh);
 }
 
